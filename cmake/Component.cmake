@@ -1,0 +1,48 @@
+# How every component is declared, installed and tested; one place, so that all are alike.
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+
+# tanktread_component(NAME SOURCES ... PUBLIC ... PRIVATE ...): library tanktread::NAME, headers included as "NAME/file.hpp".
+function(tanktread_component name)
+  cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(tanktread_${name} STATIC ${arg_SOURCES})
+  add_library(tanktread::${name} ALIAS tanktread_${name})
+  set_target_properties(tanktread_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(tanktread_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/tanktread>)
+  target_compile_features(tanktread_${name} PUBLIC cxx_std_20)
+  tanktread_compile_options(tanktread_${name})
+  target_link_libraries(tanktread_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+  install(TARGETS tanktread_${name} EXPORT tanktreadTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tanktread/${name}
+    FILES_MATCHING PATTERN "*.hpp")
+endfunction()
+
+# Warnings are errors in our own code; never -ffast-math: results must be the same for any number of threads.
+# No -ftrapping-math/-fmath-errno: they forbid vector code and change no result.
+function(tanktread_compile_options target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Werror -fno-math-errno -fno-trapping-math)
+  if(TANKTREAD_NATIVE)
+    target_compile_options(${target} PRIVATE -march=native)
+  endif()
+endfunction()
+
+# Installs the package config through which find_package(tanktread) finds what was built.
+function(tanktread_install_package)
+  configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/tanktreadConfig.cmake.in
+    ${PROJECT_BINARY_DIR}/tanktreadConfig.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tanktread)
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/tanktreadConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+  install(FILES ${PROJECT_BINARY_DIR}/tanktreadConfig.cmake ${PROJECT_BINARY_DIR}/tanktreadConfigVersion.cmake
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tanktread)
+  install(EXPORT tanktreadTargets NAMESPACE tanktread:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tanktread)
+endfunction()
+
+# tanktread_test(NAME SOURCES ... LIBRARIES ...): a GoogleTest program, each test known to ctest.
+function(tanktread_test name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  tanktread_compile_options(${name})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest GTest::gmock GTest::gtest_main)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+endfunction()

@@ -1,0 +1,106 @@
+// A case: everything a user says, checked and typed, with the defaults filled in.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace tanktread::driver {
+
+/// Bad input: the message names the file, the key, the value, the allowed range and the fix. Exit code 2.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct FlowCase {
+  std::string kind = "shear";  ///< shear | poiseuille | periodic
+  std::array<int, 3> box = {60, 60, 60};
+  int wall_axis = 2;
+  int flow_axis = 0;
+  std::optional<double> reynolds_number;  ///< exactly one of reynolds_number, wall_speed (shear_rate if periodic)
+  std::optional<double> wall_speed;       ///< U0, lattice units
+  std::optional<double> shear_rate;       ///< periodic only, lattice units
+  double relaxation_time = 1.0;
+  std::string collision = "trt";  ///< trt | bgk
+  double magic_parameter = 0.1875;
+  double viscosity_ratio = 1.0;
+  std::string start = "rest";  ///< rest | developed
+  std::array<double, 3> body_force = {0, 0, 0};
+  bool inertia = true;
+  double speed_limit = 0.3;
+};
+
+struct MembraneCase {
+  std::string elastic_law = "skalak";
+  double capillary_number = 0.3;
+  std::string capillary_modulus = "E_s";  ///< E_s | G_s | gamma
+  double area_ratio = 1.0;
+  double poisson_ratio = 0.5;
+};
+
+struct MeshCase {
+  std::string shape = "sphere";
+  int level = 3;
+  std::string file;  ///< a .vtu instead of a shape; relative to the case file; scaled to `radius` by its volume
+};
+
+struct CapsuleCase {
+  double radius = 0;  ///< grid steps
+  std::array<double, 3> position = {0, 0, 0};
+  MeshCase mesh;
+  MembraneCase membrane;  ///< [membrane] with the capsule's own table laid over it
+  double viscosity_ratio = 1.0;
+};
+
+struct CouplerCase {
+  std::string kernel = "cosine4";
+};
+
+struct RunCase {
+  double shear_time = 10.0;
+  int threads = 0;
+  double checkpoint_every = 1.0;  ///< shear times
+};
+
+struct OutputCase {
+  double observables_every = 0.02;  ///< shear times, all three; 0: never
+  double membrane_every = 0.25;
+  double fluid_every = 1.0;
+  /// First and last node (both included) along x, y, z that fluid output covers; none: the whole box.
+  std::optional<std::array<std::array<int, 2>, 3>> fluid_box;
+};
+
+/// The [si] form (docs/case-file.md): physical values as given; all members positive.
+struct SiCase {
+  double radius_m = 0, shear_rate_per_s = 0, viscosity_Pa_s = 0, density_kg_per_m3 = 0;
+  std::optional<double> shear_modulus_N_per_m, interfacial_tension_N_per_m;
+};
+
+struct Case {
+  std::string title;
+  FlowCase flow;
+  std::vector<CapsuleCase> capsules;  ///< at least one
+  CouplerCase coupler;
+  RunCase run;
+  OutputCase output;
+  std::optional<SiCase> si;
+  std::filesystem::path file;  ///< where it came from, for messages and relative mesh paths
+};
+
+/// Reads a case file, lays the `--set` assignments ("dotted.path=TOML value") over it, checks everything.
+/// @throws InputError for an unknown key ("did you mean"), a wrong type, a value out of range, contradictory or missing
+///         keys, a syntax error, a missing file
+Case read_case(const std::filesystem::path& file, const std::vector<std::string>& assignments = {});
+
+/// The same from text; `name` stands for the file in messages, relative paths are taken from `directory`.
+Case parse_case(const std::string& text, const std::string& name, const std::filesystem::path& directory,
+                const std::vector<std::string>& assignments = {});
+
+/// The case as TOML with every key resolved: itself a valid case that reproduces the run.
+std::string to_toml(const Case& the_case);
+
+}  // namespace tanktread::driver

@@ -1,0 +1,36 @@
+// What crosses a border between components, as plain arrays: surfaces and grids with named data.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tanktread::exchange {
+
+/// Named numbers: `components` a tuple (point, cell or entry), component fastest.
+struct Array {
+  std::string name;
+  int components = 1;
+  std::vector<double> values;
+};
+
+/// A surface of triangles with data on its points and cells, and numbers of the whole (step, time, version ...).
+struct SurfacePacket {
+  std::vector<double> points;           ///< 3 a node
+  std::vector<std::int64_t> triangles;  ///< 3 a triangle
+  std::vector<Array> point_data, cell_data, field_data;
+};
+
+/// Data on the nodes of a Cartesian grid, x fastest.
+struct GridPacket {
+  std::array<int, 3> nodes = {0, 0, 0};
+  std::array<double, 3> origin = {0.5, 0.5, 0.5};  ///< position of node (0, 0, 0): one frame with the surfaces
+  std::array<double, 3> spacing = {1, 1, 1};
+  std::vector<Array> point_data, field_data;
+};
+
+/// The array of that name. @throws std::runtime_error naming `where` and the arrays that are there
+const Array& find_array(const std::vector<Array>& arrays, const std::string& name, const std::string& where);
+
+}  // namespace tanktread::exchange

@@ -1,0 +1,85 @@
+// The border of the fluid component: what a flow solver offers to the rest of the program.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace tanktread::fluid {
+
+/// Number of fluid nodes along x, y, z. Node (i, j, k) sits at (i + 1/2, j + 1/2, k + 1/2) grid steps.
+struct GridShape {
+  int nx = 0, ny = 0, nz = 0;
+
+  /// Number of nodes.
+  std::int64_t size() const { return std::int64_t{nx} * ny * nz; }
+  /// Linear index of a node, x fastest: the order of every array that crosses this border (and of VTK).
+  std::int64_t index(int x, int y, int z) const { return (std::int64_t{z} * ny + y) * nx + x; }
+  bool operator==(const GridShape&) const = default;
+};
+
+/// A named array of a solver's state. `values` holds `components` numbers a node, component fastest, then x, y, z.
+struct StateArray {
+  std::string name;
+  int components = 1;
+  std::vector<double> values;
+};
+
+/// Everything a solver needs to go on bit for bit: restore(state()) changes nothing that can be observed.
+struct State {
+  std::int64_t step = 0;           ///< number of steps done since the start
+  std::vector<StateArray> arrays;  ///< the solver's own arrays, the last grid force among them
+};
+
+/// The flow went wrong (NaN, or a speed over the limit). The message says what, where and at which step.
+class Breakdown : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A flow solver on a Cartesian grid, in lattice units: grid step = time step = reference density = 1.
+///
+/// Contract of forces: a force is a force on one node (grid step cubed times force density); add_force adds into the
+/// solver's force field; the caller clears it with clear_force() before spreading anew. Nothing outside fluid/ may
+/// assume how populations lie in memory, nor that every node's velocity is at hand.
+class Fluid {
+ public:
+  virtual ~Fluid() = default;
+
+  virtual GridShape shape() const = 0;
+
+  /// Velocity u = (sum_i f_i c_i + F/2)/rho (Guo et al. 2002; Eq. 2.46) of the last step done, on the nodes asked for.
+  /// @param nodes linear node indices (GridShape::index)
+  /// @param velocity 3 numbers a node asked for, component fastest; overwritten
+  virtual void velocity(std::span<const std::int64_t> nodes, std::span<double> velocity) const = 0;
+
+  /// Density and velocity of every node, for output: size() and 3 size() numbers, overwritten.
+  virtual void moments(std::span<double> density, std::span<double> velocity) const = 0;
+
+  /// Adds a force on each node listed (3 numbers a node). A node may be listed more than once.
+  virtual void add_force(std::span<const std::int64_t> nodes, std::span<const double> force) = 0;
+
+  /// Sets the added force of every node to zero (the uniform body force stays).
+  virtual void clear_force() = 0;
+
+  /// The added force of every node (3 size() numbers, component fastest), without the uniform body force.
+  virtual std::span<const double> force() const = 0;
+
+  /// Sets the kinematic viscosity of every node: size() numbers, each positive.
+  virtual void set_viscosity(std::span<const double> kinematic_viscosity) = 0;
+
+  /// Goes on by one time step with the present force. @return the highest speed met.
+  /// @throws Breakdown if a velocity is not finite or exceeds the solver's limit; the state is then of no use.
+  virtual double step() = 0;
+
+  /// The whole state, for a checkpoint or another program.
+  virtual State state() const = 0;
+
+  /// Takes over a state. @throws std::invalid_argument naming the array that is missing or of the wrong size.
+  virtual void restore(const State& state) = 0;
+};
+
+}  // namespace tanktread::fluid

@@ -1,0 +1,72 @@
+// The border of the membrane component: a surface of linear triangles with its law, positions in, forces out.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "membrane/elastic_law.hpp"
+#include "membrane/mesh.hpp"
+
+namespace tanktread::membrane {
+
+/// An element collapsed or turned inside out, or a position is not finite. The message names the element.
+class InvertedElement : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Results a person looks at, one column (or entry) an element.
+struct ElementFields {
+  Eigen::Matrix2Xd principal_stretches;  ///< lambda1 >= lambda2
+  Eigen::Matrix<double, 9, Eigen::Dynamic> stress;  ///< Cauchy stress tensor in space (row by row), force per length
+  Eigen::VectorXd area_ratio;            ///< current over reference area
+};
+
+/// One closed membrane. It owns its triangles, reference shape, law and (for viscous laws) history; units are lattice
+/// units. Forces are total forces on the nodes (not densities), added into the target, which the caller clears.
+class Membrane {
+ public:
+  /// @param reference the stress-free shape; its points are also the first positions
+  /// @param threads OpenMP threads, 0: all; no result depends on it, to the last bit
+  /// @throws std::invalid_argument if defects(inspect(reference)) is not empty
+  Membrane(TriangleMesh reference, std::shared_ptr<const ElasticLaw> law, int threads = 0);
+  ~Membrane();
+  Membrane(Membrane&&) noexcept;
+  Membrane& operator=(Membrane&&) noexcept;
+
+  int n_nodes() const;
+  int n_triangles() const;
+  const TriangleMesh& reference() const;
+  const ElasticLaw& elastic_law() const;
+
+  /// Current positions, 3 x n_nodes.
+  const Eigen::Matrix3Xd& positions() const;
+  void set_positions(const Eigen::Ref<const Eigen::Matrix3Xd>& positions);
+
+  /// Adds the nodal forces at the present positions into `force` (3 x n_nodes).
+  /// @throws InvertedElement if an element's area has collapsed, or its normal turned by more than a right angle
+  ///         since the last call (the first call compares with the reference), or a position is not finite
+  void add_forces(Eigen::Ref<Eigen::Matrix3Xd> force);
+
+  /// The elastic part alone, for output.
+  void add_elastic_forces(Eigen::Ref<Eigen::Matrix3Xd> force) const;
+
+  /// Sum over elements of A0 W.
+  double elastic_energy() const;
+
+  ElementFields element_fields() const;
+
+  /// Everything beyond positions that a restart needs (history of viscous laws, element normals ...), one flat array.
+  std::vector<double> history() const;
+  /// @throws std::invalid_argument if the size is wrong
+  void restore_history(const std::vector<double>& history);
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace tanktread::membrane
