@@ -21,7 +21,8 @@ struct GridShape {
   bool operator==(const GridShape&) const = default;
 };
 
-/// A named array of a solver's state. `values` holds `components` numbers a node, component fastest, then x, y, z.
+/// A named array of a solver's state. `values` holds `components` numbers a node, component fastest, then x,
+/// y, z.
 struct StateArray {
   std::string name;
   int components = 1;
@@ -42,16 +43,17 @@ class Breakdown : public std::runtime_error {
 
 /// A flow solver on a Cartesian grid, in lattice units: grid step = time step = reference density = 1.
 ///
-/// Contract of forces: a force is a force on one node (grid step cubed times force density); add_force adds into the
-/// solver's force field; the caller clears it with clear_force() before spreading anew. Nothing outside fluid/ may
-/// assume how populations lie in memory, nor that every node's velocity is at hand.
+/// Contract of forces: a force is a force on one node (grid step cubed times force density); add_force adds
+/// into the solver's force field; the caller clears it with clear_force() before spreading anew. Nothing
+/// outside fluid/ may assume how populations lie in memory, nor that every node's velocity is at hand.
 class Fluid {
  public:
   virtual ~Fluid() = default;
 
   virtual GridShape shape() const = 0;
 
-  /// Velocity u = (sum_i f_i c_i + F/2)/rho (Guo et al. 2002; Eq. 2.46) of the last step done, on the nodes asked for.
+  /// Velocity u = (sum_i f_i c_i + F/2)/rho (Guo et al. 2002; Eq. 2.46) of the last step done, on the nodes
+  /// asked for.
   /// @param nodes linear node indices (GridShape::index)
   /// @param velocity 3 numbers a node asked for, component fastest; overwritten
   virtual void velocity(std::span<const std::int64_t> nodes, std::span<double> velocity) const = 0;
@@ -72,7 +74,8 @@ class Fluid {
   virtual void set_viscosity(std::span<const double> kinematic_viscosity) = 0;
 
   /// Goes on by one time step with the present force. @return the highest speed met.
-  /// @throws Breakdown if a velocity is not finite or exceeds the solver's limit; the state is then of no use.
+  /// @throws Breakdown if a velocity is not finite or exceeds the solver's limit; the state is then of no
+  /// use.
   virtual double step() = 0;
 
   /// The whole state, for a checkpoint or another program.

@@ -8,11 +8,12 @@
 
 namespace tanktread::fluid {
 
-/// A pair of parallel walls half a grid step outside the first and the last node of one axis, moving in their planes.
+/// A pair of parallel walls half a grid step outside the first and the last node of one axis, moving in their
+/// planes.
 struct WallPair {
   int axis = 2;                                    ///< 0, 1, 2 for x, y, z
   std::array<double, 3> low_velocity = {0, 0, 0};  ///< of the wall at coordinate 0; no component along `axis`
-  std::array<double, 3> high_velocity = {0, 0, 0}; ///< of the wall at coordinate n
+  std::array<double, 3> high_velocity = {0, 0, 0};  ///< of the wall at coordinate n
 };
 
 /// What the flow does before the first step.
@@ -26,21 +27,25 @@ struct LatticeBoltzmannSettings {
   GridShape shape;
   std::optional<WallPair> walls;  ///< none: periodic on all axes
   double relaxation_time = 1.0;   ///< tau+ = 1/2 + 3 nu, > 1/2
-  /// Lambda = (tau+ - 1/2)(tau- - 1/2), held fixed where the viscosity differs; none: single rate, tau- = tau+.
+  /// Lambda = (tau+ - 1/2)(tau- - 1/2), held fixed where the viscosity differs; none: single rate, tau- =
+  /// tau+.
   std::optional<double> magic_parameter = 3.0 / 16.0;
-  bool inertia = true;                          ///< false drops the quadratic terms of equilibrium and force (Stokes)
+  bool inertia = true;  ///< false drops the quadratic terms of equilibrium and force (Stokes)
   std::array<double, 3> body_force = {0, 0, 0};  ///< uniform, on each node
   Start start = Start::rest;
   double speed_limit = 0.3;  ///< a higher speed is a Breakdown
-  int threads = 0;           ///< 0: as many as OpenMP offers. The result does not depend on it, to the last bit.
+  int threads = 0;  ///< 0: as many as OpenMP offers. The result does not depend on it, to the last bit.
 };
 
-/// D3Q19 with two relaxation times (Ginzburg) and the body force of Guo et al. 2002 split in its even and odd part:
+/// D3Q19 with two relaxation times (Ginzburg) and the body force of Guo et al. 2002 split in its even and odd
+/// part:
 ///
-///   f_i* = f_i - w+ (f_i^+ - f_i^eq+) - w- (f_i^- - f_i^eq-) + (1 - w+/2) F_i^+ + (1 - w-/2) F_i^-,   w± = 1/tau±
+///   f_i* = f_i - w+ (f_i^+ - f_i^eq+) - w- (f_i^- - f_i^eq-) + (1 - w+/2) F_i^+ + (1 - w-/2) F_i^-,   w± =
+///   1/tau±
 ///
-/// Populations are kept as their difference from rest (f_i - w_i), which saves digits, in one array that is updated
-/// in place by turns (AA pattern; Bailey et al. 2009, doi 10.1109/ICPP.2009.38): 2 x 19 numbers move a node and step.
+/// Populations are kept as their difference from rest (f_i - w_i), which saves digits, in one array that is
+/// updated in place by turns (AA pattern; Bailey et al. 2009, doi 10.1109/ICPP.2009.38): 2 x 19 numbers move
+/// a node and step.
 /// @throws std::invalid_argument naming the setting that is out of range
 std::unique_ptr<Fluid> make_lattice_boltzmann(const LatticeBoltzmannSettings& settings);
 

@@ -1,0 +1,377 @@
+#include "fluid/lattice_boltzmann.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "fluid/collision.hpp"
+#include "fluid/population_lattice.hpp"
+#include "fluid/settings.hpp"
+
+namespace tanktread::fluid {
+namespace {
+
+using d3q19::n_directions;
+
+class LatticeBoltzmann final : public Fluid {
+ public:
+  explicit LatticeBoltzmann(const LatticeBoltzmannSettings& settings)
+      : settings_(settings),
+        n_threads_(settings.threads > 0 ? settings.threads : omp_get_max_threads()),
+        lattice_(settings.shape, settings.walls),
+        even_rate_(1.0 / settings.relaxation_time),
+        odd_rate_(1.0 / odd_relaxation_time(settings, settings.relaxation_time)),
+        has_body_force_(settings.body_force != std::array<double, 3>{0, 0, 0}),
+        force_(3 * settings.shape.size(), 0.0),
+        row_forced_(std::int64_t{settings.shape.ny} * settings.shape.nz, 0) {
+    for_each_row([&](int y, int z) {
+      for (int x = 0; x < shape().nx; ++x)
+        put_outgoing(x, y, z, start_populations(settings_, x, y, z).data());
+    });
+  }
+
+  GridShape shape() const override { return settings_.shape; }
+
+  void velocity(std::span<const std::int64_t> nodes, std::span<double> velocity) const override {
+    const std::int64_t n = static_cast<std::int64_t>(nodes.size());
+    if (velocity.size() != 3 * nodes.size())
+      throw std::invalid_argument("lattice Boltzmann: velocity() needs 3 numbers a node");
+#pragma omp parallel for num_threads(n_threads_) schedule(static)
+    for (std::int64_t k = 0; k < n; ++k) {
+      const auto moments = node_moments(nodes[k]);
+      std::copy_n(moments.velocity.data(), 3, &velocity[3 * k]);
+    }
+  }
+
+  void moments(std::span<double> density, std::span<double> velocity) const override {
+    const std::int64_t n = shape().size();
+    if (static_cast<std::int64_t>(density.size()) != n ||
+        static_cast<std::int64_t>(velocity.size()) != 3 * n) {
+      throw std::invalid_argument("lattice Boltzmann: moments() needs 1 and 3 numbers for every node");
+    }
+#pragma omp parallel for num_threads(n_threads_) schedule(static)
+    for (std::int64_t node = 0; node < n; ++node) {
+      const auto at_node = node_moments(node);
+      density[node] = at_node.density;
+      std::copy_n(at_node.velocity.data(), 3, &velocity[3 * node]);
+    }
+  }
+
+  void add_force(std::span<const std::int64_t> nodes, std::span<const double> force) override {
+    if (force.size() != 3 * nodes.size())
+      throw std::invalid_argument("lattice Boltzmann: add_force() needs 3 numbers a node");
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      for (int component = 0; component < 3; ++component)
+        force_[3 * nodes[k] + component] += force[3 * k + component];
+      row_forced_[nodes[k] / settings_.shape.nx] = 1;
+    }
+  }
+
+  void clear_force() override {
+    const std::int64_t row_length = 3 * std::int64_t{settings_.shape.nx};
+    for (std::size_t row = 0; row < row_forced_.size(); ++row) {
+      if (!row_forced_[row]) continue;
+      std::fill_n(force_.begin() + row * row_length, row_length, 0.0);
+      row_forced_[row] = 0;
+    }
+  }
+
+  std::span<const double> force() const override {
+    return force_;
+  }
+
+  void set_viscosity(std::span<const double> kinematic_viscosity) override {
+    check_viscosity(kinematic_viscosity, shape().size());
+    node_even_rate_.resize(kinematic_viscosity.size());
+    node_odd_rate_.resize(kinematic_viscosity.size());
+    for (std::size_t node = 0; node < kinematic_viscosity.size(); ++node) {
+      const double relaxation_time = 0.5 + d3q19::inverse_sound_speed_squared * kinematic_viscosity[node];
+      node_even_rate_[node] = 1.0 / relaxation_time;
+      node_odd_rate_[node] = 1.0 / odd_relaxation_time(settings_, relaxation_time);
+    }
+  }
+
+  double step() override {
+    const Turn turn = next_turn();
+    const double highest_squared = settings_.inertia ? sweep<true>(turn) : sweep<false>(turn);
+    ++step_;
+    return std::sqrt(highest_squared);
+  }
+
+  State state() const override {
+    State state;
+    state.step = step_;
+    state.arrays.push_back({"populations", n_directions, std::vector<double>(n_directions * shape().size())});
+    state.arrays.push_back({"force", 3, force_});
+    auto& values = state.arrays[0].values;
+    for_each_row([&](int y, int z) {
+      for (int x = 0; x < shape().nx; ++x)
+        get_outgoing(x, y, z, &values[n_directions * shape().index(x, y, z)]);
+    });
+    if (!node_even_rate_.empty()) {
+      state.arrays.push_back({"rate_even", 1, node_even_rate_});
+      state.arrays.push_back({"rate_odd", 1, node_odd_rate_});
+    }
+    return state;
+  }
+
+  void restore(const State& state) override {
+    const std::int64_t n = shape().size();
+    const auto& populations = find_array(state, "populations", n_directions, n).values;
+    const auto& force = find_array(state, "force", 3, n).values;
+    const bool has_rates = std::any_of(state.arrays.begin(), state.arrays.end(),
+                                       [](const StateArray& array) { return array.name == "rate_even"; });
+    std::vector<double> even, odd;
+    if (has_rates) {
+      even = find_array(state, "rate_even", 1, n).values;
+      odd = find_array(state, "rate_odd", 1, n).values;
+    }
+    node_even_rate_ = std::move(even);
+    node_odd_rate_ = std::move(odd);
+    step_ = state.step;
+    force_ = force;
+    for_each_row([&](int y, int z) {
+      bool forced = false;
+      for (int x = 0; x < shape().nx; ++x) {
+        const std::int64_t node = shape().index(x, y, z);
+        put_outgoing(x, y, z, &populations[n_directions * node]);
+        for (int component = 0; component < 3; ++component)
+          forced = forced || force_[3 * node + component] != 0.0;
+      }
+      row_forced_[std::int64_t{z} * shape().ny + y] = forced;
+    });
+  }
+
+ private:
+  struct NodeMoments {
+    double density;
+    std::array<double, 3> velocity;
+  };
+
+  /// Room for what a thread needs of one row.
+  struct RowScratch {
+    explicit RowScratch(int nx) : force_x(nx + pack_size), force_y(nx + pack_size), force_z(nx + pack_size) {}
+    std::vector<double> force_x, force_y, force_z;
+    std::array<std::array<double, pack_size>, n_directions> lanes{};
+    std::array<double*, n_directions> lane_slots{};
+  };
+
+  Turn next_turn() const {
+    return step_ % 2 == 0 ? Turn::streaming : Turn::local;
+  }
+  Turn last_turn() const {
+    return step_ % 2 == 0 ? Turn::local : Turn::streaming;
+  }
+
+  template <typename Body>
+  void for_each_row(Body&& body) const {
+    const int ny = settings_.shape.ny;
+    const std::int64_t n_rows = std::int64_t{ny} * settings_.shape.nz;
+#pragma omp parallel for num_threads(n_threads_) schedule(static)
+    for (std::int64_t row = 0; row < n_rows; ++row)
+      body(static_cast<int>(row % ny), static_cast<int>(row / ny));
+  }
+
+  /// The outgoing population i lies where the last step wrote it: in the slot of its opposite.
+  void get_outgoing(int x, int y, int z, double* populations) const {
+    for (int i = 0; i < n_directions; ++i)
+      populations[i] = *lattice_.slot(last_turn(), d3q19::opposite(i), x, y, z);
+  }
+  void put_outgoing(int x, int y, int z, const double* populations) {
+    for (int i = 0; i < n_directions; ++i)
+      *lattice_.slot(last_turn(), d3q19::opposite(i), x, y, z) = populations[i];
+  }
+
+  /// A collision adds the force F to the momentum sum f c, so that with outgoing populations u = (sum f c -
+  /// F/2)/rho.
+  NodeMoments node_moments(std::int64_t node) const {
+    const int nx = settings_.shape.nx, ny = settings_.shape.ny;
+    double f[n_directions];
+    get_outgoing(static_cast<int>(node % nx), static_cast<int>(node / nx % ny),
+                 static_cast<int>(node / nx / ny), f);
+    NodeMoments moments{1.0 + f[0], {}};
+    for (int i = 1; i < n_directions; ++i) moments.density += f[i];
+    for (int component = 0; component < 3; ++component) {
+      double momentum = 0.0;
+      for (int i = 1; i < n_directions; i += 2) momentum += d3q19::velocity[i][component] * (f[i] - f[i + 1]);
+      const double force = force_[3 * node + component] + settings_.body_force[component];
+      momentum -= 0.5 * force;
+      moments.velocity[component] = settings_.inertia ? momentum / moments.density : momentum;
+    }
+    return moments;
+  }
+
+  template <bool inertia>
+  double sweep(Turn turn) {
+    const int ny = settings_.shape.ny;
+    const std::int64_t n_rows = std::int64_t{ny} * settings_.shape.nz;
+    double highest_squared = 0.0;
+    std::int64_t first_bad_row = n_rows;
+#pragma omp parallel num_threads(n_threads_) reduction(max : highest_squared) reduction(min : first_bad_row)
+    {
+      RowScratch scratch(settings_.shape.nx);
+#pragma omp for schedule(static)
+      for (std::int64_t row = 0; row < n_rows; ++row) {
+        SpeedWatch watch;
+        const bool forced = has_body_force_ || row_forced_[row];
+        const int y = static_cast<int>(row % ny), z = static_cast<int>(row / ny);
+        if (forced) {
+          sweep_row<inertia, true>(turn, y, z, scratch, watch);
+        } else {
+          sweep_row<inertia, false>(turn, y, z, scratch, watch);
+        }
+        for (int lane = 0; lane < pack_size; ++lane) {
+          highest_squared = std::max(highest_squared, watch.highest_squared[lane]);
+          if (watch.n_bad[lane] != 0.0) first_bad_row = std::min(first_bad_row, row);
+        }
+      }
+    }
+    if (first_bad_row < n_rows) report_breakdown(first_bad_row);
+    return highest_squared;
+  }
+
+  template <bool inertia, bool forced>
+  void sweep_row(Turn turn, int y, int z, RowScratch& scratch, SpeedWatch& watch) {
+    const int nx = settings_.shape.nx;
+    const std::int64_t first_node = settings_.shape.index(0, y, z);
+    if (lattice_.walls()) return_from_walls(turn, y, z);
+    if constexpr (forced) gather_force(first_node, scratch);
+    std::array<double*, n_directions> slots;
+    for (int i = 0; i < n_directions; ++i) slots[i] = lattice_.row_slot(turn, i, y, z);
+
+    // Away from the ends of the row neighbours lie side by side: whole packs straight from memory.
+    const int begin = turn == Turn::streaming ? 1 : 0;
+    const int end = turn == Turn::streaming ? nx - 1 : nx;
+    const double limit_squared = settings_.speed_limit * settings_.speed_limit;
+    int x = begin;
+    for (; x + pack_size <= end; x += pack_size) {
+      collide<inertia, forced>(slots.data(), x, pack_rates(first_node + x), pack_force(scratch, x),
+                               limit_squared, watch);
+    }
+    // The rest, gathered lane by lane: what is left at the end, and the two end nodes when they reach round
+    // the box.
+    int left[2 * pack_size];
+    int n_left = 0;
+    for (; x < end; ++x) left[n_left++] = x;
+    if (turn == Turn::streaming) {
+      left[n_left++] = 0;
+      left[n_left++] = nx - 1;
+    }
+    for (int done = 0; done < n_left; done += pack_size) {
+      collide_lanes<inertia, forced>(turn, y, z, left + done, std::min(pack_size, n_left - done), scratch,
+                                     watch);
+    }
+  }
+
+  /// Collides up to eight nodes of a row that do not lie side by side, or whose neighbours do not.
+  template <bool inertia, bool forced>
+  void collide_lanes(Turn turn, int y, int z, const int* x_of_lane, int n_lanes, RowScratch& scratch,
+                     SpeedWatch& watch) {
+    const std::int64_t first_node = settings_.shape.index(0, y, z);
+    // Empty lanes repeat the last node: a result that is computed and dropped.
+    const auto x_of = [&](int lane) { return x_of_lane[std::min(lane, n_lanes - 1)]; };
+    Rates rates;
+    PackForce force{};
+    for (int lane = 0; lane < pack_size; ++lane) {
+      const int x = x_of(lane);
+      rates.even[lane] = node_even_rate_.empty() ? even_rate_ : node_even_rate_[first_node + x];
+      rates.odd[lane] = node_odd_rate_.empty() ? odd_rate_ : node_odd_rate_[first_node + x];
+      if constexpr (forced) {
+        force.x[lane] = scratch.force_x[x];
+        force.y[lane] = scratch.force_y[x];
+        force.z[lane] = scratch.force_z[x];
+      }
+      for (int i = 0; i < n_directions; ++i) scratch.lanes[i][lane] = *lattice_.slot(turn, i, x, y, z);
+    }
+    for (int i = 0; i < n_directions; ++i) scratch.lane_slots[i] = scratch.lanes[i].data();
+    collide<inertia, forced>(scratch.lane_slots.data(), 0, rates, force,
+                             settings_.speed_limit * settings_.speed_limit, watch);
+    for (int lane = 0; lane < n_lanes; ++lane) {
+      for (int i = 0; i < n_directions; ++i)
+        *lattice_.slot(turn, i, x_of(lane), y, z) = scratch.lanes[i][lane];
+    }
+  }
+
+  /// What moving walls give to the populations they send back, added where the step will find these.
+  void return_from_walls(Turn turn, int y, int z) {
+    const int nx = settings_.shape.nx;
+    const bool across_rows = lattice_.walls()->axis == 0;
+    for (int i = 1; i < n_directions; ++i) {
+      const double gain = lattice_.wall_gain(i);
+      if (gain == 0.0) continue;
+      if (across_rows) {
+        for (const int x : {0, nx - 1}) {
+          if (lattice_.from_wall(i, x, y, z)) *lattice_.slot(turn, i, x, y, z) += gain;
+        }
+      } else if (lattice_.from_wall(i, 0, y, z)) {
+        double* slots = lattice_.row(i, y, z);
+        for (int x = 0; x < nx; ++x) slots[x] += gain;
+      }
+    }
+  }
+
+  /// The force of a row's nodes, body force included, component by component.
+  void gather_force(std::int64_t first_node, RowScratch& scratch) const {
+    const auto& body = settings_.body_force;
+    for (int x = 0; x < settings_.shape.nx; ++x) {
+      const double* force = &force_[3 * (first_node + x)];
+      scratch.force_x[x] = force[0] + body[0];
+      scratch.force_y[x] = force[1] + body[1];
+      scratch.force_z[x] = force[2] + body[2];
+    }
+  }
+
+  Rates pack_rates(std::int64_t node) const {
+    if (node_even_rate_.empty()) return {Pack{} + even_rate_, Pack{} + odd_rate_};
+    return {load(&node_even_rate_[node]), load(&node_odd_rate_[node])};
+  }
+
+  static PackForce pack_force(const RowScratch& scratch, int x) {
+    return {load(&scratch.force_x[x]), load(&scratch.force_y[x]), load(&scratch.force_z[x])};
+  }
+
+  /// Looks for the node that broke down in a row the step has just written.
+  [[noreturn]] void report_breakdown(std::int64_t row) {
+    ++step_;
+    const int ny = settings_.shape.ny;
+    const int y = static_cast<int>(row % ny), z = static_cast<int>(row / ny);
+    std::ostringstream message;
+    message << "step " << step_ << ": ";
+    for (int x = 0; x < settings_.shape.nx; ++x) {
+      const auto moments = node_moments(settings_.shape.index(x, y, z));
+      const auto& u = moments.velocity;
+      const double speed = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+      if (speed < settings_.speed_limit) continue;
+      message << "the fluid velocity at node (" << x << ", " << y << ", " << z << ") is (" << u[0] << ", "
+              << u[1] << ", " << u[2] << "), density " << moments.density << "; "
+              << (std::isfinite(speed) ? "its speed is over the limit of "
+                                       : "it must be finite and its speed below ")
+              << settings_.speed_limit;
+      throw Breakdown(message.str());
+    }
+    message << "the fluid speed reached the limit of " << settings_.speed_limit << " in row y = " << y
+            << ", z = " << z;
+    throw Breakdown(message.str());
+  }
+
+  LatticeBoltzmannSettings settings_;
+  int n_threads_;
+  PopulationLattice lattice_;
+  double even_rate_, odd_rate_;
+  bool has_body_force_;
+  std::vector<double> force_;              ///< 3 a node, component fastest
+  std::vector<unsigned char> row_forced_;  ///< rows in which a force was added: the others skip it
+  std::vector<double> node_even_rate_, node_odd_rate_;  ///< empty unless set_viscosity was called
+  std::int64_t step_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Fluid> make_lattice_boltzmann(const LatticeBoltzmannSettings& settings) {
+  check(settings);
+  return std::make_unique<LatticeBoltzmann>(settings);
+}
+
+}  // namespace tanktread::fluid

@@ -1,0 +1,86 @@
+#include "fluid/settings.hpp"
+
+#include <cmath>
+#include <sstream>
+
+namespace tanktread::fluid {
+namespace {
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw std::invalid_argument("lattice Boltzmann: " + what);
+}
+
+void require(bool fine, const std::string& setting, double value, const std::string& allowed) {
+  if (fine) return;
+  std::ostringstream message;
+  message << setting << " is " << value << ", must be " << allowed;
+  refuse(message.str());
+}
+
+void check_wall_velocity(const WallPair& walls, const std::array<double, 3>& velocity,
+                         const std::string& name) {
+  for (const double component : velocity) require(std::isfinite(component), name, component, "finite");
+  require(velocity[walls.axis] == 0.0, name + " along the wall axis", velocity[walls.axis],
+          "0 (a wall moves in its own plane)");
+}
+
+}  // namespace
+
+void check(const LatticeBoltzmannSettings& settings) {
+  const auto& shape = settings.shape;
+  // Three nodes along x, so that one of them has both neighbours in its row (PopulationLattice::row_slot).
+  require(shape.nx >= 3, "shape.nx", shape.nx, ">= 3");
+  require(shape.ny >= 1, "shape.ny", shape.ny, ">= 1");
+  require(shape.nz >= 1, "shape.nz", shape.nz, ">= 1");
+  require(std::isfinite(settings.relaxation_time) && settings.relaxation_time > 0.5, "relaxation_time",
+          settings.relaxation_time, "> 0.5 (a positive viscosity)");
+  if (settings.magic_parameter) {
+    require(std::isfinite(*settings.magic_parameter) && *settings.magic_parameter > 0.0, "magic_parameter",
+            *settings.magic_parameter, "> 0");
+  }
+  require(settings.speed_limit > 0.0, "speed_limit", settings.speed_limit, "> 0");
+  require(settings.threads >= 0, "threads", settings.threads, ">= 0 (0: all)");
+  for (const double component : settings.body_force)
+    require(std::isfinite(component), "body_force", component, "finite");
+  if (settings.walls) {
+    require(settings.walls->axis >= 0 && settings.walls->axis <= 2, "walls.axis", settings.walls->axis,
+            "0, 1 or 2");
+    check_wall_velocity(*settings.walls, settings.walls->low_velocity, "walls.low_velocity");
+    check_wall_velocity(*settings.walls, settings.walls->high_velocity, "walls.high_velocity");
+  } else if (settings.start == Start::developed) {
+    refuse("start = developed needs walls: a periodic box has no developed profile");
+  }
+}
+
+double odd_relaxation_time(const LatticeBoltzmannSettings& settings, double relaxation_time) {
+  if (!settings.magic_parameter) return relaxation_time;
+  return *settings.magic_parameter / (relaxation_time - 0.5) + 0.5;
+}
+
+void check_viscosity(std::span<const double> kinematic_viscosity, std::int64_t n_nodes) {
+  if (static_cast<std::int64_t>(kinematic_viscosity.size()) != n_nodes) {
+    refuse("set_viscosity got " + std::to_string(kinematic_viscosity.size()) + " values for " +
+           std::to_string(n_nodes) + " nodes");
+  }
+  for (std::int64_t node = 0; node < n_nodes; ++node) {
+    require(std::isfinite(kinematic_viscosity[node]) && kinematic_viscosity[node] > 0.0,
+            "kinematic viscosity of node " + std::to_string(node), kinematic_viscosity[node], "> 0");
+  }
+}
+
+const StateArray& find_array(const State& state, const std::string& name, int components,
+                             std::int64_t n_nodes) {
+  for (const auto& array : state.arrays) {
+    if (array.name != name) continue;
+    if (array.components == components &&
+        static_cast<std::int64_t>(array.values.size()) == components * n_nodes) {
+      return array;
+    }
+    refuse("state array '" + name + "' has " + std::to_string(array.components) + " components and " +
+           std::to_string(array.values.size()) + " values; " + std::to_string(components) + " and " +
+           std::to_string(components * n_nodes) + " are needed for this box");
+  }
+  refuse("the state has no array '" + name + "'");
+}
+
+}  // namespace tanktread::fluid
