@@ -1,0 +1,140 @@
+#include "driver/checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "driver/surface_mesh.hpp"
+#include "exchange/vtk_files.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+using exchange::Array;
+constexpr double schema_version = 1;
+
+exchange::GridPacket to_packet(const fluid::State& state, const fluid::GridShape& shape) {
+  exchange::GridPacket packet;
+  packet.nodes = {shape.nx, shape.ny, shape.nz};
+  for (const auto& array : state.arrays)
+    packet.point_data.push_back({array.name, array.components, array.values});
+  packet.field_data = {{"step", 1, {static_cast<double>(state.step)}},
+                       {"schema_version", 1, {schema_version}}};
+  return packet;
+}
+
+exchange::SurfacePacket to_packet(const membrane::Membrane& membrane, std::int64_t step) {
+  auto packet = surface_packet(membrane::TriangleMesh{membrane.positions(), membrane.reference().triangles});
+  packet.point_data = {{"reference_position", 3, to_values(membrane.reference().points)}};
+  packet.field_data = {{"step", 1, {static_cast<double>(step)}},
+                       {"schema_version", 1, {schema_version}},
+                       {"history", 1, membrane.history()}};
+  return packet;
+}
+
+double field(const std::vector<Array>& field_data, const std::string& name,
+             const std::filesystem::path& file) {
+  const auto& values = exchange::find_array(field_data, name, file.string()).values;
+  if (values.size() != 1)
+    throw exchange::FileError(fmt::format("{}: '{}' must be one number", file.string(), name));
+  return values[0];
+}
+
+void check_version(const std::vector<Array>& field_data, const std::filesystem::path& file) {
+  const double version = field(field_data, "schema_version", file);
+  if (version != schema_version) {
+    throw exchange::FileError(
+        fmt::format("{}: schema version {} cannot be read, only {}; use the program that wrote it",
+                    file.string(), version, schema_version));
+  }
+}
+
+fluid::State read_fluid(const std::filesystem::path& file) {
+  auto packet = exchange::read_grid(file);
+  check_version(packet.field_data, file);
+  fluid::State state;
+  state.step = static_cast<std::int64_t>(field(packet.field_data, "step", file));
+  for (auto& array : packet.point_data)
+    state.arrays.push_back({array.name, array.components, std::move(array.values)});
+  return state;
+}
+
+void read_capsule(const std::filesystem::path& file, Checkpoint& checkpoint) {
+  const auto packet = exchange::read_surface(file);
+  check_version(packet.field_data, file);
+  auto reference = to_mesh(packet);
+  checkpoint.positions.push_back(reference.points);
+  reference.points =
+      to_matrix(exchange::find_array(packet.point_data, "reference_position", file.string()).values);
+  checkpoint.references.push_back(std::move(reference));
+  checkpoint.histories.push_back(exchange::find_array(packet.field_data, "history", file.string()).values);
+}
+
+std::filesystem::path capsule_file(const std::filesystem::path& folder, std::size_t k) {
+  return folder / fmt::format("capsule_{}.vtu", k);
+}
+
+}  // namespace
+
+void write_checkpoint(const System& system, const std::filesystem::path& directory) {
+  const auto place = directory / "checkpoints";
+  const auto folder = place / fmt::format("step_{:010}", system.step);
+  if (std::filesystem::exists(folder))
+    return;  // the same state: a run is the same however often it is resumed
+  const auto temporary = place / fmt::format(".step_{:010}.tmp", system.step);
+  std::filesystem::remove_all(temporary);
+  std::filesystem::create_directories(temporary);
+  exchange::write_grid(temporary / "fluid.vti", to_packet(system.fluid->state(), system.fluid->shape()));
+  for (std::size_t k = 0; k < system.membranes.size(); ++k) {
+    exchange::write_surface(capsule_file(temporary, k), to_packet(system.membranes[k], system.step));
+  }
+  std::filesystem::rename(temporary, folder);
+  auto folders = checkpoint_folders(directory);
+  while (folders.size() > 2) {
+    std::filesystem::remove_all(folders.front());
+    folders.erase(folders.begin());
+  }
+}
+
+std::vector<std::filesystem::path> checkpoint_folders(const std::filesystem::path& directory) {
+  std::vector<std::filesystem::path> folders;
+  if (!std::filesystem::is_directory(directory / "checkpoints")) return folders;
+  for (const auto& entry : std::filesystem::directory_iterator(directory / "checkpoints")) {
+    if (entry.path().filename().string().starts_with("step_")) folders.push_back(entry.path());
+  }
+  std::sort(folders.begin(), folders.end());
+  return folders;
+}
+
+Checkpoint read_last_checkpoint(const std::filesystem::path& directory) {
+  const auto folders = checkpoint_folders(directory);
+  if (folders.empty()) {
+    throw InputError(
+        fmt::format("{}: no checkpoint to resume from (looked for checkpoints/step_*); start the case anew",
+                    directory.string()));
+  }
+  Checkpoint checkpoint;
+  checkpoint.folder = folders.back();
+  checkpoint.fluid = read_fluid(checkpoint.folder / "fluid.vti");
+  checkpoint.step = checkpoint.fluid.step;
+  for (std::size_t k = 0; std::filesystem::exists(capsule_file(checkpoint.folder, k)); ++k) {
+    read_capsule(capsule_file(checkpoint.folder, k), checkpoint);
+  }
+  return checkpoint;
+}
+
+void restore(System& system, const Checkpoint& checkpoint) {
+  if (checkpoint.positions.size() != system.membranes.size()) {
+    throw InputError(fmt::format("{}: {} capsules, the case has {}", checkpoint.folder.string(),
+                                 checkpoint.positions.size(), system.membranes.size()));
+  }
+  system.step = checkpoint.step;
+  system.fluid->restore(checkpoint.fluid);
+  for (std::size_t k = 0; k < system.membranes.size(); ++k) {
+    system.membranes[k].set_positions(checkpoint.positions[k]);
+    system.membranes[k].restore_history(checkpoint.histories[k]);
+  }
+  build_stencils(system);
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,13 @@
+// The subcommands of `tanktread`, one function each: it declares the command and what it does when chosen.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace tanktread::driver {
+
+/// Each adds its command to `app`; its callback stores the exit code in `exit_code`.
+void add_run_command(CLI::App& app, int& exit_code);
+void add_plan_command(CLI::App& app, int& exit_code);
+void add_mesh_command(CLI::App& app, int& exit_code);
+
+}  // namespace tanktread::driver

@@ -1,0 +1,75 @@
+#include "driver/observables.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "exchange/vtk_files.hpp"
+#include "membrane/shape.hpp"
+
+namespace tanktread::driver {
+
+std::vector<Observation> observe(const System& system, const Case& the_case, const Parameters& parameters) {
+  std::vector<Observation> observations;
+  for (std::size_t k = 0; k < system.membranes.size(); ++k) {
+    const auto& membrane = system.membranes[k];
+    const auto& reference = membrane.reference();
+    const double radius = the_case.capsules[k].radius;
+    const auto moments = membrane::volume_moments(membrane.positions(), reference.triangles);
+    const auto shape = membrane::deformation(moments, the_case.flow.flow_axis, the_case.flow.wall_axis);
+    Observation row;
+    row.step = system.step;
+    row.shear_time = static_cast<double>(system.step) * parameters.shear_rate;
+    row.deformation = shape.deformation;
+    row.inclination_deg = shape.inclination_deg;
+    row.length = shape.length / radius;
+    row.width = shape.width / radius;
+    row.breadth = shape.breadth / radius;
+    row.volume_ratio =
+        moments.volume / membrane::volume_moments(reference.points, reference.triangles).volume;
+    row.area_ratio = membrane::surface_area(membrane.positions(), reference.triangles) /
+                     membrane::surface_area(reference.points, reference.triangles);
+    row.elastic_energy = membrane.elastic_energy();
+    row.max_speed = system.highest_speed;
+    row.capsule = static_cast<int>(k);
+    row.x = moments.centroid[0];
+    row.y = moments.centroid[1];
+    row.z = moments.centroid[2];
+    observations.push_back(row);
+  }
+  return observations;
+}
+
+std::string observables_header() {
+  return "step,shear_time,deformation,inclination_deg,length,width,breadth,volume_ratio,area_ratio,elastic_"
+         "energy,"
+         "max_speed,capsule,x,y,z\n";
+}
+
+std::string observables_row(const Observation& o) {
+  std::string row = fmt::format("{}", o.step);
+  for (const double value : {o.shear_time, o.deformation, o.inclination_deg, o.length, o.width, o.breadth,
+                             o.volume_ratio, o.area_ratio, o.elastic_energy, o.max_speed}) {
+    row += fmt::format(",{:.17g}", value);
+  }
+  return row + fmt::format(",{},{:.17g},{:.17g},{:.17g}\n", o.capsule, o.x, o.y, o.z);
+}
+
+void truncate_observables(const std::filesystem::path& file, std::int64_t last_step,
+                          const Schedule& schedule) {
+  std::ifstream input(file);
+  std::string line, kept;
+  std::getline(input, line);
+  kept = line + "\n";
+  while (std::getline(input, line)) {
+    std::int64_t step = -1;
+    // A row without its line end was cut off when the run was killed.
+    if (!(std::istringstream(line) >> step) || input.eof()) break;
+    if (step <= last_step && schedule.due(step)) kept += line + "\n";
+  }
+  input.close();
+  exchange::write_text(file, kept);
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,45 @@
+// The output directory of a run: observables.csv, membrane.pvd, fluid.pvd and their files.
+#pragma once
+
+#include <filesystem>
+
+#include "driver/observables.hpp"
+#include "driver/schedule.hpp"
+#include "driver/system.hpp"
+#include "exchange/packet.hpp"
+
+namespace tanktread::driver {
+
+/// All capsules as one surface, as a person looks at it. Point data velocity, elastic_force, total_force;
+/// cell data principal_stretches, stress, area_ratio, capsule; field data step, shear_time.
+exchange::SurfacePacket membrane_packet(const System& system, double shear_time);
+
+/// Density, velocity and force of the fluid nodes of `output.fluid_box`; field data step, shear_time.
+exchange::GridPacket fluid_packet(const System& system, const Case& the_case, double shear_time);
+
+/// Writes what is due, when it is due. Files of a series are named by their step.
+class Output {
+ public:
+  Output(const Case& the_case, const Parameters& parameters, std::filesystem::path directory);
+
+  /// Starts new tables and series.
+  void begin();
+
+  /// Cuts tables and series back to what an uninterrupted run would have written up to `step`.
+  void resume(std::int64_t step);
+
+  /// Writes all that is due at this step; with `last`, the state at the end of the run too.
+  /// @return the observations if they were due, else none
+  std::vector<Observation> write(const System& system, bool last);
+
+ private:
+  void write_membrane(const System& system, double shear_time);
+  void write_fluid(const System& system, double shear_time);
+
+  const Case& case_;
+  const Parameters& parameters_;
+  std::filesystem::path directory_;
+  Schedule observables_, membrane_, fluid_;
+};
+
+}  // namespace tanktread::driver

@@ -1,0 +1,89 @@
+#include "driver/plan.hpp"
+
+#include <chrono>
+
+#include "driver/schedule.hpp"
+#include "driver/step.hpp"
+#include "fluid/lattice_boltzmann.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+/// Million node updates a second of the first steps of the case; 0 if it breaks down within them.
+double measure_speed(const Case& the_case, const Parameters& parameters,
+                     const std::vector<membrane::TriangleMesh>& meshes) {
+  constexpr double probe_seconds = 1.0;
+  constexpr int n_warm_up = 2, n_least = 3;
+  auto system = make_system(the_case, parameters, meshes);
+  try {
+    for (int k = 0; k < n_warm_up; ++k) advance(system);
+    const auto start = std::chrono::steady_clock::now();
+    double seconds = 0;
+    int n_steps = 0;
+    while (n_steps < n_least || seconds < probe_seconds) {
+      advance(system);
+      ++n_steps;
+      seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+    return 1e-6 * n_steps * static_cast<double>(system.fluid->shape().size()) / seconds;
+  } catch (const RunError&) {
+    return 0.0;  // the run itself will say what is wrong, and when
+  }
+}
+
+double times_written(double every, const Case& the_case, const Parameters& parameters) {
+  const auto schedule = schedule_of(every, parameters);
+  if (schedule.interval == 0) return 0.0;
+  return 1.0 + static_cast<double>(steps_of(the_case.run.shear_time, parameters) / schedule.interval);
+}
+
+Cost predict_cost(const Case& the_case, const Parameters& parameters,
+                  const std::vector<membrane::TriangleMesh>& meshes) {
+  const auto& box = the_case.flow.box;
+  const double n_nodes = static_cast<double>(box[0]) * box[1] * box[2];
+  double membrane_nodes = 0, triangles = 0;
+  for (const auto& mesh : meshes) {
+    membrane_nodes += static_cast<double>(mesh.points.cols());
+    triangles += static_cast<double>(mesh.triangles.cols());
+  }
+  Cost cost;
+  cost.mlups = measure_speed(the_case, parameters, meshes);
+  const double n_steps = static_cast<double>(steps_of(the_case.run.shear_time, parameters));
+  if (cost.mlups > 0) cost.run_seconds = 1e-6 * n_steps * n_nodes / cost.mlups;
+  // Beside the lattice: force flags and the coupler's marks (4 bytes a node), about 2 kB a membrane node.
+  cost.memory_bytes = n_nodes * (fluid::lattice_boltzmann_memory_per_node + 4) + 2048 * membrane_nodes;
+
+  double fluid_output_nodes = n_nodes;
+  if (the_case.output.fluid_box) {
+    fluid_output_nodes = 1;
+    for (const auto& range : *the_case.output.fluid_box) fluid_output_nodes *= range[1] - range[0] + 1;
+  }
+  constexpr double fluid_record = 7 * 8, node_record = (3 + 9) * 8, triangle_record = (13 + 3 + 1) * 8 + 1;
+  constexpr double n_checkpoints = 2;
+  cost.disk_bytes =
+      times_written(the_case.output.fluid_every, the_case, parameters) * fluid_record * fluid_output_nodes +
+      times_written(the_case.output.membrane_every, the_case, parameters) *
+          (node_record * membrane_nodes + triangle_record * triangles) +
+      times_written(the_case.output.observables_every, the_case, parameters) * 300 +
+      n_checkpoints * n_nodes * fluid::lattice_boltzmann_memory_per_node;
+  return cost;
+}
+
+}  // namespace
+
+Plan make_plan(const Case& the_case, std::vector<membrane::TriangleMesh> meshes) {
+  Plan plan;
+  plan.the_case = the_case;
+  plan.parameters = parameters(the_case);
+  if (meshes.empty()) {
+    for (const auto& capsule : the_case.capsules) meshes.push_back(reference_mesh(capsule, the_case));
+  }
+  plan.meshes = std::move(meshes);
+  std::vector<double> mean_edges;
+  for (const auto& mesh : plan.meshes) mean_edges.push_back(membrane::inspect(mesh).edge_mean);
+  plan.cost = predict_cost(the_case, plan.parameters, plan.meshes);
+  plan.echo = echo(the_case, plan.parameters, plan.cost, warnings(the_case, plan.parameters, mean_edges));
+  return plan;
+}
+
+}  // namespace tanktread::driver

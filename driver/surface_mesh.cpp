@@ -1,0 +1,27 @@
+#include "driver/surface_mesh.hpp"
+
+namespace tanktread::driver {
+
+exchange::SurfacePacket surface_packet(const membrane::TriangleMesh& mesh) {
+  exchange::SurfacePacket packet;
+  packet.points = to_values(mesh.points);
+  packet.triangles.assign(mesh.triangles.data(), mesh.triangles.data() + mesh.triangles.size());
+  return packet;
+}
+
+membrane::TriangleMesh to_mesh(const exchange::SurfacePacket& packet) {
+  using Indices = Eigen::Matrix<std::int64_t, 3, Eigen::Dynamic>;
+  const auto n_triangles = static_cast<Eigen::Index>(packet.triangles.size() / 3);
+  return {to_matrix(packet.points),
+          Eigen::Map<const Indices>(packet.triangles.data(), 3, n_triangles).cast<int>()};
+}
+
+Eigen::Matrix3Xd to_matrix(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::Matrix3Xd>(values.data(), 3, static_cast<Eigen::Index>(values.size() / 3));
+}
+
+std::vector<double> to_values(const Eigen::Matrix3Xd& matrix) {
+  return {matrix.data(), matrix.data() + matrix.size()};
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,16 @@
+// Membrane meshes to and from the packets of files.
+#pragma once
+
+#include "exchange/packet.hpp"
+#include "membrane/mesh.hpp"
+
+namespace tanktread::driver {
+
+exchange::SurfacePacket surface_packet(const membrane::TriangleMesh& mesh);
+membrane::TriangleMesh to_mesh(const exchange::SurfacePacket& packet);
+
+/// 3 n numbers, component fastest, as a matrix with a column a node.
+Eigen::Matrix3Xd to_matrix(const std::vector<double>& values);
+std::vector<double> to_values(const Eigen::Matrix3Xd& matrix);
+
+}  // namespace tanktread::driver

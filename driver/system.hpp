@@ -1,0 +1,50 @@
+// The three components of a case, put together, and the arrays that pass between them.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "coupler/coupler.hpp"
+#include "driver/case.hpp"
+#include "driver/units.hpp"
+#include "fluid/fluid.hpp"
+#include "membrane/membrane.hpp"
+
+namespace tanktread::driver {
+
+/// Seconds of wall clock that each component has taken.
+struct ComponentSeconds {
+  double fluid = 0, coupler = 0, membrane = 0;
+};
+
+/// A case at work. Between two steps it stands at time t = `step`: positions x(t), populations after the
+/// collision of t with the grid force F(t), stencils at x(t). Node velocities and forces are those of the
+/// last step, for output.
+struct System {
+  std::unique_ptr<fluid::Fluid> fluid;
+  std::unique_ptr<coupler::Coupler> coupler;
+  std::vector<membrane::Membrane> membranes;
+
+  std::int64_t step = 0;
+  std::vector<Eigen::Matrix3Xd>
+      node_velocity;                         ///< a matrix a capsule: u_m(t-1), which moved the nodes to x(t)
+  std::vector<Eigen::Matrix3Xd> node_force;  ///< a matrix a capsule: the total force at x(t)
+  double highest_speed = 0;                  ///< of the fluid, in the last step
+  ComponentSeconds seconds;
+};
+
+/// The stress-free mesh of a capsule at its place in the box: a sphere by its level, or a file scaled to the
+/// radius by its volume. @throws InputError if the file is not a surface that can be a membrane
+membrane::TriangleMesh reference_mesh(const CapsuleCase& capsule, const Case& the_case);
+
+/// Builds the components of a case at its start. @param meshes the reference mesh of each capsule
+System make_system(const Case& the_case, const Parameters& parameters,
+                   const std::vector<membrane::TriangleMesh>& meshes);
+
+/// Builds the coupler's stencils at the present positions.
+void build_stencils(System& system);
+
+}  // namespace tanktread::driver
