@@ -56,21 +56,22 @@ inline Pack along(Pack x, Pack y, Pack z) {
   if constexpr (c[1] == 1 && c[2] == -1) return y - z;
 }
 
-/// Collides the eight nodes whose incoming population i stands at slot[i][offset ...]; the outgoing
-/// population i is written to the slot of its opposite, which is where the in-place update wants it (AA
-/// pattern).
+/// The populations of eight nodes.
+using PackPopulations = Pack[d3q19::n_directions];
+
+/// Collides eight nodes: f[i] comes in along direction i; put(i, pack) takes what goes out along the opposite
+/// of i, as soon as it is known (it need not be held in a register), to where the in-place update wants it
+/// (AA pattern).
 ///
 /// Populations are differences from rest, f_i - w_i. With j = sum f_i c_i + F/2 and u = j/rho (Guo et al.
 /// 2002):
 ///   even: f^eq+ = w (rho - 1 + rho (9/2 (c.u)^2 - 3/2 u^2)),   F^+ = w (-3 u.F + 9 (c.u)(c.F))
 ///   odd:  f^eq- = 3 w c.j,                                      F^- = 3 w c.F
 /// Without inertia the quadratic terms and F^+ are left out and the velocity is j (reference density 1).
-template <bool inertia, bool forced>
-inline void collide(double* const* slot, std::ptrdiff_t offset, const Rates& rates, const PackForce& force,
-                    double limit_squared, SpeedWatch& watch) {
-  Pack f[d3q19::n_directions];
-  for (int i = 0; i < d3q19::n_directions; ++i) f[i] = load(slot[i] + offset);
-
+template <bool inertia, bool forced, typename Put>
+inline __attribute__((always_inline)) void collide(const PackPopulations& f, const Rates& rates,
+                                                   const PackForce& force, double limit_squared,
+                                                   SpeedWatch& watch, const Put& put) {
   Pack density_change = f[0];
   for (int i = 1; i < d3q19::n_directions; ++i) density_change += f[i];
   // The order of the pairs below is that of d3q19::velocity.
@@ -112,7 +113,7 @@ inline void collide(double* const* slot, std::ptrdiff_t offset, const Rates& rat
     constexpr double w = d3q19::weight(0);
     Pack change = rates.even * (w * even_base - f[0]);
     if constexpr (forced && inertia) change += w * force_even_base;
-    store(slot[0] + offset, f[0] + change);
+    put(0, f[0] + change);
   }
   const auto collide_pair = [&]<int k>() {
     constexpr int first = 2 * k + 1, second = 2 * k + 2;
@@ -129,8 +130,8 @@ inline void collide(double* const* slot, std::ptrdiff_t offset, const Rates& rat
       odd_change += w * (force_odd * cF);
       if constexpr (inertia) even_change += w * (force_even_base + force_quadratic * cj * cF);
     }
-    store(slot[second] + offset, f[first] + (even_change + odd_change));
-    store(slot[first] + offset, f[second] + (even_change - odd_change));
+    put(second, f[first] + (even_change + odd_change));
+    put(first, f[second] + (even_change - odd_change));
   };
   [&]<int... k>(std::integer_sequence<int, k...>) {
     (collide_pair.template operator()<k>(), ...);

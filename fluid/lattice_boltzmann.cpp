@@ -150,12 +150,13 @@ class LatticeBoltzmann final : public Fluid {
     std::array<double, 3> velocity;
   };
 
+  /// Where slot (i, x = 0) of a row lies, for each direction.
+  using RowSlots = std::array<double*, n_directions>;
+
   /// Room for what a thread needs of one row.
   struct RowScratch {
     explicit RowScratch(int nx) : force_x(nx + pack_size), force_y(nx + pack_size), force_z(nx + pack_size) {}
     std::vector<double> force_x, force_y, force_z;
-    std::array<std::array<double, pack_size>, n_directions> lanes{};
-    std::array<double*, n_directions> lane_slots{};
   };
 
   Turn next_turn() const {
@@ -238,60 +239,73 @@ class LatticeBoltzmann final : public Fluid {
     const std::int64_t first_node = settings_.shape.index(0, y, z);
     if (lattice_.walls()) return_from_walls(turn, y, z);
     if constexpr (forced) gather_force(first_node, scratch);
-    std::array<double*, n_directions> slots;
+    RowSlots slots;
     for (int i = 0; i < n_directions; ++i) slots[i] = lattice_.row_slot(turn, i, y, z);
 
-    // Away from the ends of the row neighbours lie side by side: whole packs straight from memory.
-    const int begin = turn == Turn::streaming ? 1 : 0;
-    const int end = turn == Turn::streaming ? nx - 1 : nx;
     const double limit_squared = settings_.speed_limit * settings_.speed_limit;
-    int x = begin;
-    for (; x + pack_size <= end; x += pack_size) {
-      collide<inertia, forced>(slots.data(), x, pack_rates(first_node + x), pack_force(scratch, x),
-                               limit_squared, watch);
-    }
-    // The rest, gathered lane by lane: what is left at the end, and the two end nodes when they reach round
-    // the box.
-    int left[2 * pack_size];
-    int n_left = 0;
-    for (; x < end; ++x) left[n_left++] = x;
-    if (turn == Turn::streaming) {
-      left[n_left++] = 0;
-      left[n_left++] = nx - 1;
-    }
-    for (int done = 0; done < n_left; done += pack_size) {
-      collide_lanes<inertia, forced>(turn, y, z, left + done, std::min(pack_size, n_left - done), scratch,
-                                     watch);
+    for (int x = 0; x < nx; x += pack_size) {
+      const auto force = forced ? pack_force(scratch, x) : PackForce{};
+      if (x + pack_size > nx || (turn == Turn::streaming && (x == 0 || x + pack_size == nx))) {
+        collide_end<inertia, forced>(EndPack(*this, turn, slots, x, y, z), first_node + x, force, watch);
+        continue;
+      }
+      PackPopulations f;
+      for (int i = 0; i < n_directions; ++i) f[i] = load(slots[i] + x);
+      collide<inertia, forced>(f, pack_rates(first_node + x), force, limit_squared, watch,
+                               [&](int i, Pack outgoing) { store(slots[i] + x, outgoing); });
     }
   }
 
-  /// Collides up to eight nodes of a row that do not lie side by side, or whose neighbours do not.
-  template <bool inertia, bool forced>
-  void collide_lanes(Turn turn, int y, int z, const int* x_of_lane, int n_lanes, RowScratch& scratch,
-                     SpeedWatch& watch) {
-    const std::int64_t first_node = settings_.shape.index(0, y, z);
-    // Empty lanes repeat the last node: a result that is computed and dropped.
-    const auto x_of = [&](int lane) { return x_of_lane[std::min(lane, n_lanes - 1)]; };
-    Rates rates;
-    PackForce force{};
-    for (int lane = 0; lane < pack_size; ++lane) {
-      const int x = x_of(lane);
-      rates.even[lane] = node_even_rate_.empty() ? even_rate_ : node_even_rate_[first_node + x];
-      rates.odd[lane] = node_odd_rate_.empty() ? odd_rate_ : node_odd_rate_[first_node + x];
-      if constexpr (forced) {
-        force.x[lane] = scratch.force_x[x];
-        force.y[lane] = scratch.force_y[x];
-        force.z[lane] = scratch.force_z[x];
+  /// A pack at an end of a row: some of its nodes reach round the box (or meet a wall across x), some may lie
+  /// beyond the row. Along the directions for which its slots lie side by side it is read and written whole,
+  /// else by lanes.
+  struct EndPack {
+    EndPack(const LatticeBoltzmann& solver, Turn turn, const RowSlots& slots, int x, int y, int z)
+        : n_lanes(std::min(pack_size, solver.settings_.shape.nx - x)) {
+      const int nx = solver.settings_.shape.nx;
+      for (int i = 0; i < n_directions; ++i) {
+        const int c = d3q19::velocity[i][0];
+        const bool leaves = turn == Turn::streaming && ((c > 0 && x == 0) || (c < 0 && x + pack_size >= nx));
+        whole[i] = n_lanes == pack_size && !leaves;
+        address[i][0] = slots[i] + x;
+        if (whole[i]) continue;
+        for (int lane = 0; lane < n_lanes; ++lane) address[i][lane] = slots[i] + x + lane;
+        if (leaves && c > 0) address[i][0] = solver.lattice_.slot(turn, i, 0, y, z);
+        if (leaves && c < 0) address[i][n_lanes - 1] = solver.lattice_.slot(turn, i, nx - 1, y, z);
+        // Lanes beyond the row repeat its last node: a result that is computed and dropped.
+        for (int lane = n_lanes; lane < pack_size; ++lane) address[i][lane] = address[i][n_lanes - 1];
       }
-      for (int i = 0; i < n_directions; ++i) scratch.lanes[i][lane] = *lattice_.slot(turn, i, x, y, z);
     }
-    for (int i = 0; i < n_directions; ++i) scratch.lane_slots[i] = scratch.lanes[i].data();
-    collide<inertia, forced>(scratch.lane_slots.data(), 0, rates, force,
-                             settings_.speed_limit * settings_.speed_limit, watch);
-    for (int lane = 0; lane < n_lanes; ++lane) {
-      for (int i = 0; i < n_directions; ++i)
-        *lattice_.slot(turn, i, x_of(lane), y, z) = scratch.lanes[i][lane];
+
+    void load_to(PackPopulations& f) const {
+      for (int i = 0; i < n_directions; ++i) {
+        double* const* a = address[i];
+        f[i] = whole[i] ? load(a[0]) : Pack{*a[0], *a[1], *a[2], *a[3], *a[4], *a[5], *a[6], *a[7]};
+      }
     }
+
+    void put(int i, Pack outgoing) const {
+      if (whole[i]) {
+        store(address[i][0], outgoing);
+      } else {
+        for (int lane = 0; lane < n_lanes; ++lane) *address[i][lane] = outgoing[lane];
+      }
+    }
+
+    int n_lanes;
+    bool whole[n_directions];
+    double* address[n_directions][pack_size];
+  };
+
+  /// Kept out of the loop over whole packs, whose code stays small that way.
+  template <bool inertia, bool forced>
+  __attribute__((noinline)) void collide_end(const EndPack& end, std::int64_t first_node,
+                                             const PackForce& force, SpeedWatch& watch) {
+    PackPopulations f;
+    end.load_to(f);
+    collide<inertia, forced>(f, end_rates(first_node, end.n_lanes), force,
+                             settings_.speed_limit * settings_.speed_limit, watch,
+                             [&](int i, Pack outgoing) { end.put(i, outgoing); });
   }
 
   /// What moving walls give to the populations they send back, added where the step will find these.
@@ -321,11 +335,27 @@ class LatticeBoltzmann final : public Fluid {
       scratch.force_y[x] = force[1] + body[1];
       scratch.force_z[x] = force[2] + body[2];
     }
+    // Beyond the row (EndPack): the last node's once more.
+    for (auto* component : {&scratch.force_x, &scratch.force_y, &scratch.force_z}) {
+      std::fill(component->begin() + settings_.shape.nx, component->end(),
+                (*component)[settings_.shape.nx - 1]);
+    }
   }
 
   Rates pack_rates(std::int64_t node) const {
     if (node_even_rate_.empty()) return {Pack{} + even_rate_, Pack{} + odd_rate_};
     return {load(&node_even_rate_[node]), load(&node_odd_rate_[node])};
+  }
+
+  /// The same where the pack may end beyond the last node of the lattice.
+  Rates end_rates(std::int64_t node, int n_lanes) const {
+    if (node_even_rate_.empty() || n_lanes == pack_size) return pack_rates(node);
+    Rates rates;
+    for (int lane = 0; lane < pack_size; ++lane) {
+      rates.even[lane] = node_even_rate_[node + std::min(lane, n_lanes - 1)];
+      rates.odd[lane] = node_odd_rate_[node + std::min(lane, n_lanes - 1)];
+    }
+    return rates;
   }
 
   static PackForce pack_force(const RowScratch& scratch, int x) {
