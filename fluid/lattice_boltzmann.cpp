@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "fluid/collision.hpp"
+#include "fluid/end_pack.hpp"
 #include "fluid/population_lattice.hpp"
 #include "fluid/settings.hpp"
 
@@ -150,9 +151,6 @@ class LatticeBoltzmann final : public Fluid {
     std::array<double, 3> velocity;
   };
 
-  /// Where slot (i, x = 0) of a row lies, for each direction.
-  using RowSlots = std::array<double*, n_directions>;
-
   /// Room for what a thread needs of one row.
   struct RowScratch {
     explicit RowScratch(int nx) : force_x(nx + pack_size), force_y(nx + pack_size), force_z(nx + pack_size) {}
@@ -246,7 +244,7 @@ class LatticeBoltzmann final : public Fluid {
     for (int x = 0; x < nx; x += pack_size) {
       const auto force = forced ? pack_force(scratch, x) : PackForce{};
       if (x + pack_size > nx || (turn == Turn::streaming && (x == 0 || x + pack_size == nx))) {
-        collide_end<inertia, forced>(EndPack(*this, turn, slots, x, y, z), first_node + x, force, watch);
+        collide_end<inertia, forced>(EndPack(lattice_, turn, slots, x, y, z), first_node + x, force, watch);
         continue;
       }
       PackPopulations f;
@@ -255,47 +253,6 @@ class LatticeBoltzmann final : public Fluid {
                                [&](int i, Pack outgoing) { store(slots[i] + x, outgoing); });
     }
   }
-
-  /// A pack at an end of a row: some of its nodes reach round the box (or meet a wall across x), some may lie
-  /// beyond the row. Along the directions for which its slots lie side by side it is read and written whole,
-  /// else by lanes.
-  struct EndPack {
-    EndPack(const LatticeBoltzmann& solver, Turn turn, const RowSlots& slots, int x, int y, int z)
-        : n_lanes(std::min(pack_size, solver.settings_.shape.nx - x)) {
-      const int nx = solver.settings_.shape.nx;
-      for (int i = 0; i < n_directions; ++i) {
-        const int c = d3q19::velocity[i][0];
-        const bool leaves = turn == Turn::streaming && ((c > 0 && x == 0) || (c < 0 && x + pack_size >= nx));
-        whole[i] = n_lanes == pack_size && !leaves;
-        address[i][0] = slots[i] + x;
-        if (whole[i]) continue;
-        for (int lane = 0; lane < n_lanes; ++lane) address[i][lane] = slots[i] + x + lane;
-        if (leaves && c > 0) address[i][0] = solver.lattice_.slot(turn, i, 0, y, z);
-        if (leaves && c < 0) address[i][n_lanes - 1] = solver.lattice_.slot(turn, i, nx - 1, y, z);
-        // Lanes beyond the row repeat its last node: a result that is computed and dropped.
-        for (int lane = n_lanes; lane < pack_size; ++lane) address[i][lane] = address[i][n_lanes - 1];
-      }
-    }
-
-    void load_to(PackPopulations& f) const {
-      for (int i = 0; i < n_directions; ++i) {
-        double* const* a = address[i];
-        f[i] = whole[i] ? load(a[0]) : Pack{*a[0], *a[1], *a[2], *a[3], *a[4], *a[5], *a[6], *a[7]};
-      }
-    }
-
-    void put(int i, Pack outgoing) const {
-      if (whole[i]) {
-        store(address[i][0], outgoing);
-      } else {
-        for (int lane = 0; lane < n_lanes; ++lane) *address[i][lane] = outgoing[lane];
-      }
-    }
-
-    int n_lanes;
-    bool whole[n_directions];
-    double* address[n_directions][pack_size];
-  };
 
   /// Kept out of the loop over whole packs, whose code stays small that way.
   template <bool inertia, bool forced>
