@@ -11,8 +11,9 @@
 
 namespace tanktread::coupler {
 
-/// The grid as the coupler sees it. Node (i, j, k) sits at (i + 1/2, j + 1/2, k + 1/2); a periodic axis repeats after
-/// nodes[axis] steps; an axis that is not periodic has walls at 0 and nodes[axis]. Linear index: x fastest.
+/// The grid as the coupler sees it. Node (i, j, k) sits at (i + 1/2, j + 1/2, k + 1/2); a periodic axis
+/// repeats after nodes[axis] steps; an axis that is not periodic has walls at 0 and nodes[axis]. Linear
+/// index: x fastest.
 struct Grid {
   std::array<int, 3> nodes;
   std::array<bool, 3> periodic;
@@ -23,8 +24,11 @@ struct Kernel {
   std::string name;         ///< in the case file
   std::string description;  ///< one line: formula, source, which moments it has
   double half_width;        ///< the function is zero at and beyond this distance
-  bool first_moment;        ///< sum over nodes of (x - r) phi(x - r) = 0: linear fields are interpolated exactly
+  bool first_moment;  ///< sum over nodes of (x - r) phi(x - r) = 0: linear fields are interpolated exactly
   double (*function)(double distance);  ///< phi(r), even in r
+  /// phi at first_distance, first_distance + 1, ... (ceil(2 half_width) points), where that is cheaper than
+  /// one by one; null: `function` is called for each.
+  void (*weights)(double first_distance, double* weights);
 };
 
 /// All kernels, the default (cosine4) first: cosine4 (Eq. 2.2), roma3, peskin4, linear2.
@@ -33,18 +37,20 @@ const std::vector<Kernel>& kernels();
 /// @throws std::invalid_argument that lists the known names
 const Kernel& kernel(const std::string& name);
 
-/// A membrane node whose stencil reaches beyond a wall, or is not finite. The message says surface, node, position.
+/// A membrane node whose stencil reaches beyond a wall, or is not finite. The message says surface, node,
+/// position.
 class StencilError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Couples any number of surfaces with one grid. Build the stencils once a step, at x(t): they serve the spread at t
-/// and the interpolation of the next step. All arrays: 3 numbers a node, component fastest. Surface positions may lie
-/// anywhere on a periodic axis (they need not be wrapped). Results do not depend on the number of threads, to the last bit.
+/// Couples any number of surfaces with one grid. Build the stencils once a step, at x(t): they serve the
+/// spread at t and the interpolation of the next step. All arrays: 3 numbers a node, component fastest.
+/// Surface positions may lie anywhere on a periodic axis (they need not be wrapped). Results do not depend on
+/// the number of threads, to the last bit.
 ///
-/// Contracts: interpolation is consistent (weights sum to 1), spreading conservative (the sum of the forces on the grid
-/// is that of the nodal forces), both with the same weights, so that power is conserved.
+/// Contracts: interpolation is consistent (weights sum to 1), spreading conservative (the sum of the forces
+/// on the grid is that of the nodal forces), both with the same weights, so that power is conserved.
 class Coupler {
  public:
   /// @param threads OpenMP threads, 0: all
@@ -53,16 +59,21 @@ class Coupler {
   ~Coupler();
 
   /// Builds the stencils of all surfaces at the positions given (one span of 3 n numbers a surface).
-  /// @throws StencilError if a stencil reaches beyond a wall or a position is not finite; the old stencils stay
+  /// @throws StencilError if a stencil reaches beyond a wall or a position is not finite; the old stencils
+  /// stay
   void build(std::span<const std::span<const double>> surfaces);
 
-  /// Linear indices of the grid nodes that the stencils touch, each once, in the order of all grid arrays below.
+  /// Linear indices of the grid nodes that the stencils touch, each once, in the order of all grid arrays
+  /// below.
   std::span<const std::int64_t> grid_nodes() const;
 
-  /// u_m = sum_f delta(x_f - x_m) u_f (Eq. 2.3). @param grid_velocity 3 x grid_nodes() @param node_velocity overwritten, a span a surface
-  void interpolate(std::span<const double> grid_velocity, std::span<const std::span<double>> node_velocity) const;
+  /// u_m = sum_f delta(x_f - x_m) u_f (Eq. 2.3). @param grid_velocity 3 x grid_nodes() @param node_velocity
+  /// overwritten, a span a surface
+  void interpolate(std::span<const double> grid_velocity,
+                   std::span<const std::span<double>> node_velocity) const;
 
-  /// F_f = sum_m delta(x_f - x_m) F_m (Eq. 2.1). @param node_force a span a surface @param grid_force 3 x grid_nodes(), overwritten
+  /// F_f = sum_m delta(x_f - x_m) F_m (Eq. 2.1). @param node_force a span a surface @param grid_force 3 x
+  /// grid_nodes(), overwritten
   void spread(std::span<const std::span<const double>> node_force, std::span<double> grid_force) const;
 
  private:
