@@ -14,7 +14,8 @@ struct Invariants {
 };
 
 /// What a law answers: energy per undeformed area and its derivatives by I1 and I2. From these
-/// S = 2 (W_1 I + W_2 adj Cg) (second Piola-Kirchhoff) and the nodal force -A0 F S grad N follow for every law alike.
+/// S = 2 (W_1 I + W_2 adj Cg) (second Piola-Kirchhoff) and the nodal force -A0 F S grad N follow for every
+/// law alike.
 struct ElasticResponse {
   double energy;  ///< W, force per length
   double w1;      ///< dW/dI1
@@ -26,9 +27,6 @@ class ElasticLaw {
  public:
   virtual ~ElasticLaw() = default;
   virtual ElasticResponse evaluate(const Invariants& invariants) const = 0;
-  /// The same for many elements (arrays of n), so that a law costs one virtual call a membrane and step.
-  /// The default calls evaluate() for each.
-  virtual void evaluate(int n, const Invariants* invariants, ElasticResponse* response) const;
   /// Small-strain shear modulus G_s and area modulus K_s at rest (0 and 0 for an interfacial tension).
   virtual double shear_modulus() const = 0;
   virtual double area_modulus() const = 0;
@@ -36,16 +34,18 @@ class ElasticLaw {
 
 /// Parameters from which the law table builds a law; a law takes those it names in `law_table()`.
 struct ElasticParameters {
-  double shear_modulus = 0;        ///< G_s (small-strain); Skalak's E_s = 2 G_s in the thesis's form W = E_s/8 (...)
-  double area_ratio = 1;           ///< C = E_a/E_s (Skalak)
+  double shear_modulus =
+      0;                  ///< G_s (small-strain); Skalak's E_s = 2 G_s in the thesis's form W = E_s/8 (...)
+  double area_ratio = 1;  ///< C = E_a/E_s (Skalak)
   double poisson_ratio = 0.5;      ///< nu_s (Hookean), -1 < nu_s < 1
   double interfacial_tension = 0;  ///< gamma (interfacial-tension)
 };
 
-/// One row of the table of laws (membrane/law_table.cpp): the name in the case file, what it is, how it is made.
+/// One row of the table of laws (membrane/law_table.cpp): the name in the case file, what it is, how it is
+/// made.
 struct ElasticLawEntry {
-  std::string name;         ///< "skalak", "neo-hookean", "hookean", "interfacial-tension"
-  std::string description;  ///< one line with the formula of W
+  std::string name;                     ///< "skalak", "neo-hookean", "hookean", "interfacial-tension"
+  std::string description;              ///< one line with the formula of W
   std::vector<std::string> parameters;  ///< names of the ElasticParameters members it uses
   std::unique_ptr<ElasticLaw> (*make)(const ElasticParameters&);
 };

@@ -21,12 +21,14 @@ class InvertedElement : public std::runtime_error {
 /// Results a person looks at, one column (or entry) an element.
 struct ElementFields {
   Eigen::Matrix2Xd principal_stretches;  ///< lambda1 >= lambda2
-  Eigen::Matrix<double, 9, Eigen::Dynamic> stress;  ///< Cauchy stress tensor in space (row by row), force per length
-  Eigen::VectorXd area_ratio;            ///< current over reference area
+  Eigen::Matrix<double, 9, Eigen::Dynamic>
+      stress;                  ///< Cauchy stress tensor in space (row by row), force per length
+  Eigen::VectorXd area_ratio;  ///< current over reference area
 };
 
-/// One closed membrane. It owns its triangles, reference shape, law and (for viscous laws) history; units are lattice
-/// units. Forces are total forces on the nodes (not densities), added into the target, which the caller clears.
+/// One closed membrane. It owns its triangles, reference shape, law and (for viscous laws) history; units are
+/// lattice units. Forces are total forces on the nodes (not densities), added into the target, which the
+/// caller clears.
 class Membrane {
  public:
   /// @param reference the stress-free shape; its points are also the first positions
@@ -47,7 +49,8 @@ class Membrane {
   void set_positions(const Eigen::Ref<const Eigen::Matrix3Xd>& positions);
 
   /// Adds the nodal forces at the present positions into `force` (3 x n_nodes).
-  /// @throws InvertedElement if an element's area has collapsed, or its normal turned by more than a right angle
+  /// @throws InvertedElement if an element's area has collapsed, or its normal turned by more than a right
+  /// angle
   ///         since the last call (the first call compares with the reference), or a position is not finite
   void add_forces(Eigen::Ref<Eigen::Matrix3Xd> force);
 
@@ -59,7 +62,8 @@ class Membrane {
 
   ElementFields element_fields() const;
 
-  /// Everything beyond positions that a restart needs (history of viscous laws, element normals ...), one flat array.
+  /// Everything beyond positions that a restart needs (history of viscous laws, element normals ...), one
+  /// flat array.
   std::vector<double> history() const;
   /// @throws std::invalid_argument if the size is wrong
   void restore_history(const std::vector<double>& history);

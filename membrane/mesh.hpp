@@ -7,8 +7,8 @@
 
 namespace tanktread::membrane {
 
-/// A surface of triangles. Points in grid steps (or any unit), one column a node; triangles as columns of node
-/// indices, counter-clockwise seen from outside.
+/// A surface of triangles. Points in grid steps (or any unit), one column a node; triangles as columns of
+/// node indices, counter-clockwise seen from outside.
 struct TriangleMesh {
   Eigen::Matrix3Xd points;
   Eigen::Matrix3Xi triangles;
@@ -24,14 +24,14 @@ struct MeshReport {
   int n_nodes = 0, n_triangles = 0, n_edges = 0;
   double edge_min = 0, edge_mean = 0, edge_max = 0;
   double area = 0;
-  double volume = 0;                   ///< enclosed, by the divergence theorem; negative if wound inside out
-  Eigen::Vector3d centre;              ///< centroid of the enclosed volume
-  bool closed = false;                 ///< every edge has exactly two triangles
-  bool consistent_winding = false;     ///< neighbours run through their shared edge in opposite directions
-  bool outward = false;                ///< closed, consistently wound, volume > 0
-  int n_unused_nodes = 0;              ///< nodes of no triangle
-  int n_degenerate = 0;                ///< triangles whose area is below 1e-12 of edge_max squared
-  int euler_characteristic = 0;        ///< nodes - edges + triangles; 2 for a sphere
+  double volume = 0;                ///< enclosed, by the divergence theorem; negative if wound inside out
+  Eigen::Vector3d centre;           ///< centroid of the enclosed volume
+  bool closed = false;              ///< every edge has exactly two triangles
+  bool consistent_winding = false;  ///< neighbours run through their shared edge in opposite directions
+  bool outward = false;             ///< closed, consistently wound, volume > 0
+  int n_unused_nodes = 0;           ///< nodes of no triangle
+  int n_degenerate = 0;             ///< triangles whose area is below 1e-12 of edge_max squared
+  int euler_characteristic = 0;     ///< nodes - edges + triangles; 2 for a sphere
 };
 MeshReport inspect(const TriangleMesh& mesh);
 

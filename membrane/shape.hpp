@@ -24,9 +24,9 @@ double surface_area(const Eigen::Ref<const Eigen::Matrix3Xd>& points,
 struct Deformation {
   double deformation = 0;      ///< D = (length - width)/(length + width)
   double inclination_deg = 0;  ///< of the long axis to the flow axis, in (-90, 90]; 0 for a circle
-  double length = 0;           ///< long semi-axis in the shear plane (twice the in-plane eigenvalue 5 m / V, rooted)
-  double width = 0;            ///< short semi-axis in the shear plane
-  double breadth = 0;          ///< semi-axis along the vorticity axis
+  double length = 0;   ///< long semi-axis in the shear plane (twice the in-plane eigenvalue 5 m / V, rooted)
+  double width = 0;    ///< short semi-axis in the shear plane
+  double breadth = 0;  ///< semi-axis along the vorticity axis
 };
 /// @param flow_axis, gradient_axis 0, 1, 2 and different; the vorticity axis is the third
 Deformation deformation(const VolumeMoments& moments, int flow_axis, int gradient_axis);

@@ -1,0 +1,77 @@
+// Kinematics of a linear triangle in space, and the nodal force of a stress in it. Header only: the inner
+// loop.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "membrane/elastic_law.hpp"
+
+namespace tanktread::membrane {
+
+/// 3 x 2: from the plane of the reference triangle into space.
+using SurfaceGradient = Eigen::Matrix<double, 3, 2>;
+
+/// What of the reference triangle enters a step. Its plane has the first axis along the edge from corner 0 to
+/// corner 1.
+struct ReferenceElement {
+  Eigen::Matrix<double, 3, 2> shape_gradient;  ///< grad N_a, a row a corner: F = X shape_gradient
+  double area;                                 ///< A0
+};
+
+/// Corners as columns. The area must not be zero.
+inline ReferenceElement reference_element(const Eigen::Matrix3d& corners) {
+  const Eigen::Vector3d edge1 = corners.col(1) - corners.col(0), edge2 = corners.col(2) - corners.col(0);
+  const double length = edge1.norm();
+  const double x = edge2.dot(edge1) / length, y = edge1.cross(edge2).norm() / length;
+  ReferenceElement element;
+  element.area = 0.5 * length * y;
+  // N_1 = (X - x/y Y)/length, N_2 = Y/y, N_0 = 1 - N_1 - N_2.
+  element.shape_gradient.row(1) << 1.0 / length, -x / (y * length);
+  element.shape_gradient.row(2) << 0.0, 1.0 / y;
+  element.shape_gradient.row(0) = -element.shape_gradient.row(1) - element.shape_gradient.row(2);
+  return element;
+}
+
+/// Deformation gradient F = dx/dX: the columns are the images of the two axes of the reference plane.
+inline SurfaceGradient deformation_gradient(const Eigen::Matrix3d& corners, const ReferenceElement& element) {
+  return corners * element.shape_gradient;
+}
+
+/// Right Cauchy-Green tensor Cg = F^T F; the Green strain is E = (Cg - I)/2 (Eq. 2.8).
+inline Eigen::Matrix2d cauchy_green(const SurfaceGradient& gradient) {
+  return gradient.transpose() * gradient;
+}
+
+/// Eq. 2.5.
+inline Invariants invariants(const Eigen::Matrix2d& cauchy_green_tensor) {
+  return {cauchy_green_tensor.trace() - 2.0, cauchy_green_tensor.determinant() - 1.0};
+}
+
+/// Second Piola-Kirchhoff stress S = 2 (W_1 I + W_2 adj Cg).
+inline Eigen::Matrix2d second_piola_kirchhoff(const Eigen::Matrix2d& c, const ElasticResponse& response) {
+  Eigen::Matrix2d stress;
+  stress << response.w1 + response.w2 * c(1, 1), -response.w2 * c(0, 1), -response.w2 * c(1, 0),
+      response.w1 + response.w2 * c(0, 0);
+  return 2.0 * stress;
+}
+
+/// Cauchy stress in space, F S F^T / J with J = sqrt(det Cg), force per length.
+inline Eigen::Matrix3d cauchy_stress(const SurfaceGradient& gradient, const Eigen::Matrix2d& stress) {
+  return gradient * stress * gradient.transpose() / std::sqrt(cauchy_green(gradient).determinant());
+}
+
+/// Forces on the three corners, -A0 F S grad N_a, as columns. They sum to zero.
+inline Eigen::Matrix3d corner_forces(const SurfaceGradient& gradient, const Eigen::Matrix2d& stress,
+                                     const ReferenceElement& element) {
+  return -element.area * gradient * stress * element.shape_gradient.transpose();
+}
+
+/// Twice the area times the unit normal, outward for counter-clockwise corners.
+inline Eigen::Vector3d area_normal(const Eigen::Matrix3d& corners) {
+  const Eigen::Vector3d edge1 = corners.col(1) - corners.col(0), edge2 = corners.col(2) - corners.col(0);
+  return edge1.cross(edge2);
+}
+
+}  // namespace tanktread::membrane

@@ -1,0 +1,73 @@
+#include "membrane/shape.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace tanktread::membrane {
+
+VolumeMoments volume_moments(const Eigen::Ref<const Eigen::Matrix3Xd>& points,
+                             const Eigen::Ref<const Eigen::Matrix3Xi>& triangles) {
+  // Signed tetrahedra from one point near the surface to each triangle; taking a point of the surface instead
+  // of the origin keeps digits when the capsule is far from it.
+  const Eigen::Vector3d apex = points.col(triangles(0, 0));
+  double volume = 0;
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+    const Eigen::Vector3d a = points.col(triangles(0, t)) - apex;
+    const Eigen::Vector3d b = points.col(triangles(1, t)) - apex;
+    const Eigen::Vector3d c = points.col(triangles(2, t)) - apex;
+    const double tetrahedron = a.dot(b.cross(c)) / 6.0;
+    const Eigen::Vector3d sum = a + b + c;
+    volume += tetrahedron;
+    first += tetrahedron / 4.0 * sum;
+    // Integral of x x^T over a tetrahedron with one corner at the origin: V/20 (sum of c c^T + sum sum^T).
+    second += tetrahedron / 20.0 *
+              (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
+  }
+  VolumeMoments moments;
+  moments.volume = volume;
+  const Eigen::Vector3d centroid = first / volume;
+  moments.centroid = apex + centroid;
+  moments.second_moment = second - volume * centroid * centroid.transpose();
+  return moments;
+}
+
+double surface_area(const Eigen::Ref<const Eigen::Matrix3Xd>& points,
+                    const Eigen::Ref<const Eigen::Matrix3Xi>& triangles) {
+  double area = 0;
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+    const Eigen::Vector3d a = points.col(triangles(0, t));
+    const Eigen::Vector3d normal = (points.col(triangles(1, t)) - a).cross(points.col(triangles(2, t)) - a);
+    area += 0.5 * normal.norm();
+  }
+  return area;
+}
+
+Deformation deformation(const VolumeMoments& moments, int flow_axis, int gradient_axis) {
+  if (flow_axis == gradient_axis || flow_axis < 0 || flow_axis > 2 || gradient_axis < 0 ||
+      gradient_axis > 2) {
+    throw std::invalid_argument("deformation: flow and gradient axis must be two different ones of 0, 1, 2");
+  }
+  const int vorticity_axis = 3 - flow_axis - gradient_axis;
+  const auto& m = moments.second_moment;
+  Eigen::Matrix2d plane;
+  plane << m(flow_axis, flow_axis), m(flow_axis, gradient_axis), m(gradient_axis, flow_axis),
+      m(gradient_axis, gradient_axis);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(plane);
+  const auto semi_axis = [&](double moment) { return std::sqrt(5.0 * moment / moments.volume); };
+  Deformation result;
+  result.width = semi_axis(solver.eigenvalues()[0]);
+  result.length = semi_axis(solver.eigenvalues()[1]);
+  result.breadth = semi_axis(m(vorticity_axis, vorticity_axis));
+  result.deformation = (result.length - result.width) / (result.length + result.width);
+  Eigen::Vector2d direction = solver.eigenvectors().col(1);
+  if (direction[0] < 0 || (direction[0] == 0 && direction[1] < 0)) direction = -direction;
+  result.inclination_deg = std::atan2(direction[1], direction[0]) * 180.0 / std::numbers::pi;
+  return result;
+}
+
+}  // namespace tanktread::membrane
