@@ -15,7 +15,8 @@ struct Array {
   std::vector<double> values;
 };
 
-/// A surface of triangles with data on its points and cells, and numbers of the whole (step, time, version ...).
+/// A surface of triangles with data on its points and cells, and numbers of the whole (step, time, version
+/// ...).
 struct SurfacePacket {
   std::vector<double> points;           ///< 3 a node
   std::vector<std::int64_t> triangles;  ///< 3 a triangle
@@ -25,7 +26,8 @@ struct SurfacePacket {
 /// Data on the nodes of a Cartesian grid, x fastest.
 struct GridPacket {
   std::array<int, 3> nodes = {0, 0, 0};
-  std::array<double, 3> origin = {0.5, 0.5, 0.5};  ///< position of node (0, 0, 0): one frame with the surfaces
+  std::array<double, 3> origin = {0.5, 0.5,
+                                  0.5};  ///< position of node (0, 0, 0): one frame with the surfaces
   std::array<double, 3> spacing = {1, 1, 1};
   std::vector<Array> point_data, field_data;
 };
