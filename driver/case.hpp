@@ -21,9 +21,10 @@ struct FlowCase {
   std::array<int, 3> box = {60, 60, 60};
   int wall_axis = 2;
   int flow_axis = 0;
-  std::optional<double> reynolds_number;  ///< exactly one of reynolds_number, wall_speed (shear_rate if periodic)
-  std::optional<double> wall_speed;       ///< U0, lattice units
-  std::optional<double> shear_rate;       ///< periodic only, lattice units
+  std::optional<double>
+      reynolds_number;               ///< exactly one of reynolds_number, wall_speed (shear_rate if periodic)
+  std::optional<double> wall_speed;  ///< U0, lattice units
+  std::optional<double> shear_rate;  ///< periodic only, lattice units
   double relaxation_time = 1.0;
   std::string collision = "trt";  ///< trt | bgk
   double magic_parameter = 0.1875;
@@ -32,20 +33,27 @@ struct FlowCase {
   std::array<double, 3> body_force = {0, 0, 0};
   bool inertia = true;
   double speed_limit = 0.3;
+
+  bool operator==(const FlowCase&) const = default;
 };
 
 struct MembraneCase {
   std::string elastic_law = "skalak";
   double capillary_number = 0.3;
-  std::string capillary_modulus = "E_s";  ///< E_s | G_s | gamma
+  std::string capillary_modulus = "E_s";  ///< E_s (skalak) | G_s | gamma (interfacial-tension)
   double area_ratio = 1.0;
   double poisson_ratio = 0.5;
+
+  bool operator==(const MembraneCase&) const = default;
 };
 
 struct MeshCase {
   std::string shape = "sphere";
   int level = 3;
-  std::string file;  ///< a .vtu instead of a shape; relative to the case file; scaled to `radius` by its volume
+  std::string
+      file;  ///< a .vtu instead of a shape; relative to the case file; scaled to `radius` by its volume
+
+  bool operator==(const MeshCase&) const = default;
 };
 
 struct CapsuleCase {
@@ -54,16 +62,22 @@ struct CapsuleCase {
   MeshCase mesh;
   MembraneCase membrane;  ///< [membrane] with the capsule's own table laid over it
   double viscosity_ratio = 1.0;
+
+  bool operator==(const CapsuleCase&) const = default;
 };
 
 struct CouplerCase {
   std::string kernel = "cosine4";
+
+  bool operator==(const CouplerCase&) const = default;
 };
 
 struct RunCase {
   double shear_time = 10.0;
   int threads = 0;
   double checkpoint_every = 1.0;  ///< shear times
+
+  bool operator==(const RunCase&) const = default;
 };
 
 struct OutputCase {
@@ -72,12 +86,16 @@ struct OutputCase {
   double fluid_every = 1.0;
   /// First and last node (both included) along x, y, z that fluid output covers; none: the whole box.
   std::optional<std::array<std::array<int, 2>, 3>> fluid_box;
+
+  bool operator==(const OutputCase&) const = default;
 };
 
 /// The [si] form (docs/case-file.md): physical values as given; all members positive.
 struct SiCase {
   double radius_m = 0, shear_rate_per_s = 0, viscosity_Pa_s = 0, density_kg_per_m3 = 0;
   std::optional<double> shear_modulus_N_per_m, interfacial_tension_N_per_m;
+
+  bool operator==(const SiCase&) const = default;
 };
 
 struct Case {
@@ -92,7 +110,8 @@ struct Case {
 };
 
 /// Reads a case file, lays the `--set` assignments ("dotted.path=TOML value") over it, checks everything.
-/// @throws InputError for an unknown key ("did you mean"), a wrong type, a value out of range, contradictory or missing
+/// @throws InputError for an unknown key ("did you mean"), a wrong type, a value out of range, contradictory
+/// or missing
 ///         keys, a syntax error, a missing file
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& assignments = {});
 

@@ -17,34 +17,37 @@ struct CapsuleParameters {
   double skalak_modulus = 0;       ///< E_s = 2 G_s (the thesis's form W = E_s/8 ...)
   double area_modulus = 0;         ///< K_s at rest, from the law
   double interfacial_tension = 0;  ///< gamma
-  double capillary_by_E_s = 0, capillary_by_G_s = 0, capillary_by_gamma = 0;  ///< mu_o g a / modulus; 0 if it has none
+  double capillary_by_E_s = 0, capillary_by_G_s = 0,
+         capillary_by_gamma = 0;  ///< mu_o g a / modulus; 0 if it has none
   double viscosity_ratio = 1;
 };
 
 /// What follows for the flow, lattice units unless said otherwise.
 struct Parameters {
-  double kinematic_viscosity = 0;  ///< nu = (tau+ - 1/2)/3
-  double relaxation_time = 0;      ///< tau+
-  double relaxation_time_odd = 0;  ///< tau-
-  double shear_rate = 0;           ///< g = 2 U0/L (or given: periodic)
-  double wall_speed = 0;           ///< U0; poiseuille: undisturbed centre speed; periodic: 0
-  double reynolds_number = 0;      ///< g a^2/nu, a of the first capsule
-  double mach_number = 0;          ///< U0 sqrt(3); periodic: g a sqrt(3)
+  double kinematic_viscosity = 0;                ///< nu = (tau+ - 1/2)/3
+  double relaxation_time = 0;                    ///< tau+
+  double relaxation_time_odd = 0;                ///< tau-
+  double shear_rate = 0;                         ///< g = 2 U0/L (or given: periodic)
+  double wall_speed = 0;                         ///< U0; poiseuille: undisturbed centre speed; periodic: 0
+  double reynolds_number = 0;                    ///< g a^2/nu, a of the first capsule
+  double mach_number = 0;                        ///< U0 sqrt(3); periodic: g a sqrt(3)
   std::array<double, 3> body_force = {0, 0, 0};  ///< of the kind (poiseuille) and the key together
-  double steps_per_shear_time = 0;  ///< 1/g
+  double steps_per_shear_time = 0;               ///< 1/g
   std::vector<CapsuleParameters> capsules;
 };
 Parameters parameters(const Case& the_case);
 
-/// SI values of lattice units, there when the case has [si]: metres a grid step, seconds a step, newtons a lattice force.
+/// SI values of lattice units, there when the case has [si]: metres a grid step, seconds a step, newtons a
+/// lattice force.
 struct SiScales {
   double length_m, time_s, force_N;
   double reynolds_number_physical;  ///< of the [si] values; the case may override it
 };
 std::optional<SiScales> si_scales(const Case& the_case, const Parameters& parameters);
 
-/// Warnings a user should read before a run: Mach > 0.1, tau+ < 0.55, mesh edge outside 0.5 to 2 grid steps, capsule too
-/// near a wall or its periodic image ... Each is a sentence with the number, the bound and the key to change.
+/// Warnings a user should read before a run: Mach > 0.1, tau+ < 0.55, mesh edge outside 0.5 to 2 grid steps,
+/// capsule too near a wall or its periodic image ... Each is a sentence with the number, the bound and the
+/// key to change.
 /// @param mean_edges mean mesh edge of each capsule, grid steps
 std::vector<std::string> warnings(const Case& the_case, const Parameters& parameters,
                                   const std::vector<double>& mean_edges);

@@ -1,0 +1,89 @@
+#include "driver/units.hpp"
+
+#include <cmath>
+
+#include "membrane/elastic_law.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+/// Moduli from Ca = mu_o g a/modulus with mu_o = nu (density 1), and Ca by each modulus the law has.
+CapsuleParameters capsule_parameters(const CapsuleCase& capsule, double viscosity, double shear_rate) {
+  CapsuleParameters result;
+  result.radius = capsule.radius;
+  result.viscosity_ratio = capsule.viscosity_ratio;
+  const auto& membrane = capsule.membrane;
+  const double viscous = viscosity * shear_rate * capsule.radius;
+  const double modulus = viscous / membrane.capillary_number;
+  membrane::ElasticParameters law;
+  law.area_ratio = membrane.area_ratio;
+  law.poisson_ratio = membrane.poisson_ratio;
+  if (membrane.capillary_modulus == "gamma") {
+    result.interfacial_tension = modulus;
+    result.capillary_by_gamma = membrane.capillary_number;
+    law.interfacial_tension = modulus;
+  } else {
+    result.shear_modulus = membrane.capillary_modulus == "E_s" ? 0.5 * modulus : modulus;
+    result.capillary_by_G_s = viscous / result.shear_modulus;
+    if (membrane.elastic_law == "skalak") {
+      result.skalak_modulus = 2.0 * result.shear_modulus;
+      result.capillary_by_E_s = viscous / result.skalak_modulus;
+    }
+    law.shear_modulus = result.shear_modulus;
+  }
+  result.area_modulus = membrane::make_elastic_law(membrane.elastic_law, law)->area_modulus();
+  return result;
+}
+
+}  // namespace
+
+Parameters parameters(const Case& the_case) {
+  const auto& flow = the_case.flow;
+  const double radius = the_case.capsules.front().radius;
+  const double height = flow.box[flow.wall_axis];
+  Parameters result;
+  result.relaxation_time = flow.relaxation_time;
+  result.kinematic_viscosity = (flow.relaxation_time - 0.5) / 3.0;
+  result.relaxation_time_odd = flow.collision == "bgk"
+                                   ? flow.relaxation_time
+                                   : 0.5 + flow.magic_parameter / (flow.relaxation_time - 0.5);
+  if (flow.kind == "periodic") {
+    result.shear_rate = *flow.shear_rate;
+  } else if (flow.wall_speed) {
+    result.wall_speed = *flow.wall_speed;
+    result.shear_rate = 2.0 * result.wall_speed / height;
+  } else {
+    result.shear_rate = *flow.reynolds_number * result.kinematic_viscosity / (radius * radius);
+    result.wall_speed = 0.5 * result.shear_rate * height;
+  }
+  result.reynolds_number = result.shear_rate * radius * radius / result.kinematic_viscosity;
+  result.mach_number =
+      std::sqrt(3.0) * (flow.kind == "periodic" ? result.shear_rate * radius : result.wall_speed);
+  result.body_force = flow.body_force;
+  if (flow.kind == "poiseuille") {
+    result.body_force[flow.flow_axis] +=
+        8.0 * result.kinematic_viscosity * result.wall_speed / (height * height);
+  }
+  result.steps_per_shear_time = 1.0 / result.shear_rate;
+  for (const auto& capsule : the_case.capsules) {
+    result.capsules.push_back(capsule_parameters(capsule, result.kinematic_viscosity, result.shear_rate));
+  }
+  return result;
+}
+
+std::optional<SiScales> si_scales(const Case& the_case, const Parameters& parameters) {
+  if (!the_case.si) return std::nullopt;
+  const auto& si = *the_case.si;
+  SiScales scales;
+  scales.length_m = si.radius_m / the_case.capsules.front().radius;
+  scales.time_s = parameters.shear_rate / si.shear_rate_per_s;
+  // From the viscosity, mu length^2/time is a force: the one scale that holds whatever Reynolds number is
+  // run.
+  scales.force_N =
+      si.viscosity_Pa_s / parameters.kinematic_viscosity * scales.length_m * scales.length_m / scales.time_s;
+  scales.reynolds_number_physical =
+      si.density_kg_per_m3 * si.shear_rate_per_s * si.radius_m * si.radius_m / si.viscosity_Pa_s;
+  return scales;
+}
+
+}  // namespace tanktread::driver
