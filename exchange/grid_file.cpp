@@ -1,39 +1,83 @@
 #include <fmt/format.h>
 #include <vtkCellData.h>
-#include <vtkFieldData.h>
 #include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLImageDataWriter.h>
 
-#include "exchange/vtk_support.hpp"
+#include <cmath>
+
+#include "exchange/vtk_arrays.hpp"
+#include "exchange/vtk_calls.hpp"
+#include "exchange/vtk_files.hpp"
 
 namespace tanktread::exchange {
+namespace {
 
-void write_grid(const std::filesystem::path& file, const GridPacket& packet) {
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(packet.nodes[0], packet.nodes[1], packet.nodes[2]);
-  image->SetOrigin(packet.origin.data());
-  image->SetSpacing(packet.spacing.data());
-  const std::int64_t n_nodes = std::int64_t{packet.nodes[0]} * packet.nodes[1] * packet.nodes[2];
-  lend_arrays(packet.point_data, n_nodes, image->GetPointData(), file);
-  lend_arrays(packet.field_data, 0, image->GetFieldData(), file);
-  vtkNew<vtkXMLImageDataWriter> writer;
-  writer->SetInputData(image);
-  write_whole(writer, file);
+using std::filesystem::path;
+
+void check_grid(const GridPacket& packet, const path& file) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (packet.nodes[axis] < 1) {
+      throw FileError(fmt::format("{}: cannot be written: {} nodes along {}, at least 1 is needed",
+                                  file.string(), packet.nodes[axis], "xyz"[axis]));
+    }
+    if (!std::isfinite(packet.origin[axis]) || !(packet.spacing[axis] > 0) ||
+        !std::isfinite(packet.spacing[axis])) {
+      throw FileError(
+          fmt::format("{}: cannot be written: origin {} and spacing {} along {}; they must be finite, "
+                      "the spacing above 0",
+                      file.string(), packet.origin[axis], packet.spacing[axis], "xyz"[axis]));
+    }
+  }
 }
 
-GridPacket read_grid(const std::filesystem::path& file, bool convert) {
+void check_frame(vtkImageData& image, const path& file) {
+  if (!image.GetDirectionMatrix()->IsIdentity()) {
+    throw FileError(
+        fmt::format("{}: the grid's axes are turned (Direction is not the identity); resample it along "
+                    "x, y and z first",
+                    file.string()));
+  }
+  if (image.GetCellData()->GetNumberOfArrays() > 0) {
+    throw FileError(
+        fmt::format("{}: has cell data ('{}'), but grids carry point data only; convert it, as with "
+                    "ParaView's filter Cell Data to Point Data",
+                    file.string(), image.GetCellData()->GetArrayName(0)));
+  }
+}
+
+}  // namespace
+
+void write_grid(const path& file, const GridPacket& packet) {
+  check_grid(packet, file);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(packet.nodes.data());
+  image->SetOrigin(packet.origin.data());
+  image->SetSpacing(packet.spacing.data());
+  add_arrays(packet.point_data, image->GetNumberOfPoints(), *image->GetPointData(), "point data", file);
+  add_arrays(packet.field_data, any_size, *image->GetFieldData(), "field data", file);
+  vtkNew<vtkXMLImageDataWriter> writer;
+  write_with(*writer, *image, file);
+}
+
+GridPacket read_grid(const path& file, bool convert) {
   vtkNew<vtkXMLImageDataReader> reader;
-  read_whole(reader, file);
+  read_with(*reader, file, "ImageData");
   auto* image = reader->GetOutput();
+  check_frame(*image, file);
   GridPacket packet;
   image->GetDimensions(packet.nodes.data());
-  image->GetOrigin(packet.origin.data());
   image->GetSpacing(packet.spacing.data());
-  packet.point_data = copy_arrays(image->GetPointData(), convert, file);
-  packet.field_data = copy_arrays(image->GetFieldData(), convert, file);
+  for (int axis = 0; axis < 3; ++axis) {
+    // VTK's origin is that of index 0, which need not be the first node of an extent.
+    const int first = image->GetExtent()[2 * axis];
+    packet.origin[axis] = image->GetOrigin()[axis] + first * packet.spacing[axis];
+  }
+  packet.point_data = take_arrays(*image->GetPointData(), convert, "point data", file);
+  packet.field_data = take_arrays(*image->GetFieldData(), convert, "field data", file);
   return packet;
 }
 

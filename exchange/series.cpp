@@ -1,21 +1,29 @@
+// Series in time: ParaView's .pvd, a list of files and their times. VTK has no writer of it outside ParaView.
 #include <fmt/format.h>
 #include <vtkNew.h>
 #include <vtkXMLDataElement.h>
-#include <vtkXMLUtilities.h>
+#include <vtkXMLDataParser.h>
 
+#include <charconv>
+#include <cmath>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 
-#include "exchange/vtk_support.hpp"
+#include "exchange/vtk_calls.hpp"
+#include "exchange/vtk_files.hpp"
 
 namespace tanktread::exchange {
 namespace {
 
-/// Text as the value of an XML attribute.
+using std::filesystem::path;
+
+/// A text as the value of an XML attribute. Line breaks and tabs are spelled out: XML makes them spaces
+/// otherwise.
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char character : text) {
-    switch (character) {
+  for (const char c : text) {
+    switch (c) {
       case '&':
         result += "&amp;";
         break;
@@ -28,54 +36,104 @@ std::string escaped(const std::string& text) {
       case '"':
         result += "&quot;";
         break;
+      case '\n':
+        result += "&#10;";
+        break;
+      case '\r':
+        result += "&#13;";
+        break;
+      case '\t':
+        result += "&#9;";
+        break;
       default:
-        result += character;
+        result += c;
     }
   }
   return result;
 }
 
-}  // namespace
-
-void write_series(const std::filesystem::path& file, const std::vector<SeriesEntry>& entries) {
+std::string to_xml(const std::vector<SeriesEntry>& entries) {
   std::string text =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  "
-      "<Collection>\n";
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  <Collection>\n";
   for (const auto& entry : entries) {
-    text += fmt::format("    <DataSet timestep=\"{:.17g}\" part=\"0\" file=\"{}\"/>\n", entry.time,
+    text += fmt::format("    <DataSet timestep=\"{:.17g}\" group=\"\" part=\"0\" file=\"{}\"/>\n", entry.time,
                         escaped(entry.file));
   }
-  write_text(file, text + "  </Collection>\n</VTKFile>\n");
+  return text + "  </Collection>\n</VTKFile>\n";
 }
 
-std::vector<SeriesEntry> read_series(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file))
-    throw FileError(fmt::format("{}: there is no such file", file.string()));
-  std::ifstream stream(file);
-  const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromStream(stream));
-  auto* collection = root == nullptr ? nullptr : root->FindNestedElementWithName("Collection");
-  if (collection == nullptr) throw FileError(fmt::format("{}: not a .pvd collection", file.string()));
+SeriesEntry to_entry(vtkXMLDataElement& element, int number, const path& file) {
+  const char* time = element.GetAttribute("timestep");
+  const char* name = element.GetAttribute("file");
+  if (time == nullptr || name == nullptr) {
+    throw FileError(fmt::format("{}: entry {} lacks its attribute '{}'", file.string(), number,
+                                time == nullptr ? "timestep" : "file"));
+  }
+  SeriesEntry entry{0, name};
+  const char* end = time + std::strlen(time);
+  const auto [stop, error] = std::from_chars(time, end, entry.time);
+  if (error != std::errc() || stop != end || !std::isfinite(entry.time)) {
+    throw FileError(fmt::format("{}: entry {} has timestep \"{}\", which is not a finite number",
+                                file.string(), number, time));
+  }
+  return entry;
+}
+
+std::vector<SeriesEntry> parse(std::istream& stream, const path& file) {
+  VtkMessages messages;
+  vtkNew<vtkXMLDataParser> parser;
+  messages.listen_to(parser);
+  parser->SetStream(&stream);
+  const bool parsed = parser->Parse() == 1;
+  if (!parsed || !messages.text().empty()) {
+    throw FileError(fmt::format("{}: cannot be read: {}", file.string(), messages.text()));
+  }
+  auto* root = parser->GetRootElement();
+  const char* type = root->GetAttribute("type");
+  auto* collection = root->FindNestedElementWithName("Collection");
+  if (type == nullptr || std::strcmp(type, "Collection") != 0 || collection == nullptr) {
+    throw FileError(fmt::format("{}: is not a .pvd series: it is of type {}, expected Collection",
+                                file.string(), type ? type : "unknown"));
+  }
   std::vector<SeriesEntry> entries;
   for (int k = 0; k < collection->GetNumberOfNestedElements(); ++k) {
-    auto* data_set = collection->GetNestedElement(k);
-    SeriesEntry entry{0, ""};
-    const char* name = data_set->GetAttribute("file");
-    if (name == nullptr || data_set->GetScalarAttribute("timestep", entry.time) == 0) {
-      throw FileError(fmt::format("{}: entry {} has no file or no timestep", file.string(), k));
-    }
-    entry.file = name;
-    entries.push_back(entry);
+    entries.push_back(to_entry(*collection->GetNestedElement(k), k, file));
   }
   return entries;
 }
 
-void write_text(const std::filesystem::path& file, const std::string& text) {
-  write_then_rename(file, [&](const std::filesystem::path& temporary) {
-    std::ofstream stream(temporary, std::ios::binary);
-    stream << text;
-    stream.close();
-    if (!stream) throw FileError(fmt::format("{}: cannot be written", file.string()));
-  });
+/// Some texts cannot be put in XML at all (control characters, broken UTF-8): found by reading what would be
+/// written.
+void check_survives(const std::vector<SeriesEntry>& entries, const std::string& text, const path& file) {
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    if (!std::isfinite(entries[k].time)) {
+      throw FileError(fmt::format("{}: cannot be written: entry {} ('{}') has time {}, which is not finite",
+                                  file.string(), k, entries[k].file, entries[k].time));
+    }
+  }
+  std::istringstream stream(text);
+  const auto back = parse(stream, file);
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    if (k >= back.size() || back[k].file != entries[k].file || back[k].time != entries[k].time) {
+      throw FileError(fmt::format("{}: cannot be written: entry {} ('{}') does not survive in XML",
+                                  file.string(), k, entries[k].file));
+    }
+  }
+}
+
+}  // namespace
+
+void write_series(const path& file, const std::vector<SeriesEntry>& entries) {
+  const auto text = to_xml(entries);
+  check_survives(entries, text, file);
+  write_text(file, text);
+}
+
+std::vector<SeriesEntry> read_series(const path& file) {
+  check_whole(file);
+  std::ifstream stream(file, std::ios::binary);
+  return parse(stream, file);
 }
 
 }  // namespace tanktread::exchange

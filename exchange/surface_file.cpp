@@ -1,107 +1,121 @@
 #include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkCellTypes.h>
 #include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkTypeInt64Array.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
-#include "exchange/vtk_support.hpp"
+#include <algorithm>
+
+#include "exchange/vtk_arrays.hpp"
+#include "exchange/vtk_calls.hpp"
+#include "exchange/vtk_files.hpp"
 
 namespace tanktread::exchange {
 namespace {
 
-vtkNew<vtkCellArray> make_cells(const SurfacePacket& packet, std::int64_t n_points,
-                                const std::filesystem::path& file) {
-  if (packet.triangles.size() % 3 != 0) throw FileError(file.string() + ": triangles need three nodes each");
-  vtkNew<vtkCellArray> cells;
-  for (std::size_t k = 0; k < packet.triangles.size(); k += 3) {
-    cells->InsertNextCell(3);
-    for (int corner = 0; corner < 3; ++corner) {
-      const std::int64_t node = packet.triangles[k + corner];
-      if (node < 0 || node >= n_points) {
-        throw FileError(
-            fmt::format("{}: triangle {} names node {}; there are {}", file.string(), k / 3, node, n_points));
-      }
-      cells->InsertCellPoint(node);
-    }
+using std::filesystem::path;
+
+void check_node(std::int64_t node, std::int64_t n_nodes, std::size_t corner, const path& file) {
+  if (node < 0 || node >= n_nodes) {
+    throw FileError(fmt::format("{}: triangle {} has node {}, outside 0 to {}", file.string(), corner / 3,
+                                node, n_nodes - 1));
   }
-  return cells;
 }
 
-void copy_points(vtkUnstructuredGrid* grid, bool convert, const std::filesystem::path& file,
-                 SurfacePacket& packet) {
-  auto* points = grid->GetPoints();
-  if (points == nullptr) return;
-  if (points->GetDataType() != VTK_DOUBLE && !convert) {
+void check_triangles(const SurfacePacket& packet, const path& file) {
+  if (packet.points.size() % 3 != 0 || packet.triangles.size() % 3 != 0) {
     throw FileError(
-        fmt::format("{}: points are {}, must be double (Float64); convert the file, or write doubles",
-                    file.string(), points->GetData()->GetDataTypeAsString()));
+        fmt::format("{}: cannot be written: {} coordinates and {} corners; both must be multiples of 3",
+                    file.string(), packet.points.size(), packet.triangles.size()));
   }
-  packet.points.resize(3 * points->GetNumberOfPoints());
-  for (vtkIdType node = 0; node < points->GetNumberOfPoints(); ++node)
-    points->GetPoint(node, &packet.points[3 * node]);
+  const auto n_nodes = static_cast<std::int64_t>(packet.points.size() / 3);
+  for (std::size_t corner = 0; corner < packet.triangles.size(); ++corner) {
+    check_node(packet.triangles[corner], n_nodes, corner, file);
+  }
 }
 
-void copy_triangles(vtkUnstructuredGrid* grid, const std::filesystem::path& file, SurfacePacket& packet) {
-  packet.triangles.reserve(3 * grid->GetNumberOfCells());
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell) {
-    if (grid->GetCellType(cell) != VTK_TRIANGLE) {
-      throw FileError(fmt::format(
-          "{}: cell {} is of VTK type {}, must be a triangle ({}); keep the triangles of the surface only",
-          file.string(), cell, grid->GetCellType(cell), static_cast<int>(VTK_TRIANGLE)));
+void set_points(const SurfacePacket& packet, vtkUnstructuredGrid& grid) {
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetArray(const_cast<double*>(packet.points.data()),
+                        static_cast<vtkIdType>(packet.points.size()), 1);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();  // vtkPoints is of float unless told
+  points->SetData(coordinates);
+  grid.SetPoints(points);
+}
+
+void set_triangles(const SurfacePacket& packet, vtkUnstructuredGrid& grid) {
+  const auto n_triangles = static_cast<vtkIdType>(packet.triangles.size() / 3);
+  vtkNew<vtkTypeInt64Array> connectivity, offsets;
+  connectivity->SetNumberOfValues(3 *
+                                  n_triangles);  // copied: VTK's 64-bit integer may be another type than ours
+  std::copy(packet.triangles.begin(), packet.triangles.end(), connectivity->GetPointer(0));
+  offsets->SetNumberOfValues(n_triangles + 1);
+  for (vtkIdType k = 0; k <= n_triangles; ++k) offsets->SetValue(k, 3 * k);
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, connectivity);
+  grid.SetCells(VTK_TRIANGLE, cells);
+}
+
+std::vector<std::int64_t> triangles_of(vtkUnstructuredGrid& grid, const path& file) {
+  const auto n_cells = grid.GetNumberOfCells();
+  std::vector<std::int64_t> triangles;
+  triangles.reserve(3 * static_cast<std::size_t>(n_cells));
+  vtkNew<vtkIdList> nodes;
+  for (vtkIdType cell = 0; cell < n_cells; ++cell) {
+    grid.GetCells()->GetCellAtId(cell, nodes);
+    if (grid.GetCellType(cell) != VTK_TRIANGLE || nodes->GetNumberOfIds() != 3) {
+      throw FileError(
+          fmt::format("{}: cell {} is a {} of {} nodes; only triangles can be read: triangulate the "
+                      "surface first, and leave out volume and edge cells",
+                      file.string(), cell, vtkCellTypes::GetClassNameFromTypeId(grid.GetCellType(cell)),
+                      nodes->GetNumberOfIds()));
     }
-    vtkIdType n_nodes = 0;
-    const vtkIdType* nodes = nullptr;
-    grid->GetCellPoints(cell, n_nodes, nodes);
-    for (int corner = 0; corner < 3; ++corner) {
-      if (nodes[corner] < 0 || nodes[corner] >= grid->GetNumberOfPoints()) {
-        throw FileError(fmt::format("{}: triangle {} names node {}; there are {}", file.string(), cell,
-                                    nodes[corner], grid->GetNumberOfPoints()));
-      }
-      packet.triangles.push_back(nodes[corner]);
+    for (const vtkIdType node : *nodes) {
+      check_node(node, grid.GetNumberOfPoints(), triangles.size(), file);
+      triangles.push_back(node);
     }
   }
+  return triangles;
 }
 
 }  // namespace
 
-void write_surface(const std::filesystem::path& file, const SurfacePacket& packet) {
-  const auto n_points = static_cast<std::int64_t>(packet.points.size() / 3);
+void write_surface(const path& file, const SurfacePacket& packet) {
+  check_triangles(packet, file);
   vtkNew<vtkUnstructuredGrid> grid;
-  vtkNew<vtkDoubleArray> coordinates;
-  coordinates->SetNumberOfComponents(3);
-  constexpr int keep_ours = 1;  // VTK must not free it; the writer only reads
-  coordinates->SetArray(const_cast<double*>(packet.points.data()), 3 * n_points, keep_ours);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetData(coordinates);
-  grid->SetPoints(points);
-  const auto cells = make_cells(packet, n_points, file);
-  grid->SetCells(VTK_TRIANGLE, cells);
-  lend_arrays(packet.point_data, n_points, grid->GetPointData(), file);
-  lend_arrays(packet.cell_data, static_cast<std::int64_t>(packet.triangles.size() / 3), grid->GetCellData(),
-              file);
-  lend_arrays(packet.field_data, 0, grid->GetFieldData(), file);
+  set_points(packet, *grid);
+  set_triangles(packet, *grid);
+  add_arrays(packet.point_data, grid->GetNumberOfPoints(), *grid->GetPointData(), "point data", file);
+  add_arrays(packet.cell_data, grid->GetNumberOfCells(), *grid->GetCellData(), "cell data", file);
+  add_arrays(packet.field_data, any_size, *grid->GetFieldData(), "field data", file);
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetInputData(grid);
-  write_whole(writer, file);
+  write_with(*writer, *grid, file);
 }
 
-SurfacePacket read_surface(const std::filesystem::path& file, bool convert) {
+SurfacePacket read_surface(const path& file, bool convert) {
   vtkNew<vtkXMLUnstructuredGridReader> reader;
-  read_whole(reader, file);
+  read_with(*reader, file, "UnstructuredGrid");
   auto* grid = reader->GetOutput();
   SurfacePacket packet;
-  copy_points(grid, convert, file, packet);
-  copy_triangles(grid, file, packet);
-  packet.point_data = copy_arrays(grid->GetPointData(), convert, file);
-  packet.cell_data = copy_arrays(grid->GetCellData(), convert, file);
-  packet.field_data = copy_arrays(grid->GetFieldData(), convert, file);
+  packet.triangles = triangles_of(*grid, file);
+  if (grid->GetPoints() != nullptr) {
+    packet.points = values_of(*grid->GetPoints()->GetData(), convert, "the array of points", file);
+  }
+  packet.point_data = take_arrays(*grid->GetPointData(), convert, "point data", file);
+  packet.cell_data = take_arrays(*grid->GetCellData(), convert, "cell data", file);
+  packet.field_data = take_arrays(*grid->GetFieldData(), convert, "field data", file);
   return packet;
 }
 

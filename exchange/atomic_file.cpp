@@ -1,0 +1,97 @@
+#include "exchange/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+
+#include "exchange/vtk_files.hpp"
+
+namespace tanktread::exchange {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& file, const char* what, int error) {
+  throw FileError(fmt::format("{}: {}: {}", file.string(), what, std::strerror(error)));
+}
+
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// An open file that closes itself.
+class Descriptor {
+ public:
+  Descriptor(const fs::path& file, int flags) : number_(::open(file.c_str(), flags | O_CLOEXEC, 0666)) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  bool is_open() const { return number_ >= 0; }
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+void write_all(const Descriptor& file, const std::string& text, const fs::path& target) {
+  for (std::size_t done = 0; done < text.size();) {
+    const auto written = ::write(file.number(), text.data() + done, text.size() - done);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) fail(target, "cannot be written", written < 0 ? errno : ENOSPC);
+    done += static_cast<std::size_t>(written);
+  }
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
+  const auto folder = folder_of(target_);
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) {
+    throw FileError(fmt::format("{}: cannot be written: there is no folder '{}'; make it first",
+                                target_.string(), folder.string()));
+  }
+  if (fs::is_directory(target_, error)) {
+    throw FileError(fmt::format("{}: cannot be written: it is a folder", target_.string()));
+  }
+  static std::atomic<unsigned> counter = 0;
+  temporary_ = folder / fmt::format(".{}.{}-{}.tmp", target_.filename().string(), ::getpid(), counter++);
+}
+
+AtomicFile::~AtomicFile() {
+  std::error_code ignored;  // nothing more can be done about it, and a destructor must not throw
+  if (!committed_) fs::remove(temporary_, ignored);
+}
+
+void AtomicFile::commit() {
+  {
+    // Without this a power cut after the rename could leave an empty file under the final name.
+    const Descriptor file(temporary_, O_RDWR);
+    if (!file.is_open() || ::fsync(file.number()) != 0) fail(target_, "cannot be written", errno);
+  }
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(target_, "cannot be replaced", errno);
+  committed_ = true;
+  // The rename itself reaches the disk with the folder; some file systems refuse that for folders, and need
+  // it not.
+  const Descriptor folder(folder_of(target_), O_RDONLY | O_DIRECTORY);
+  if (folder.is_open()) ::fsync(folder.number());
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+  AtomicFile atomic(file);
+  {
+    const Descriptor temporary(atomic.temporary(), O_WRONLY | O_CREAT | O_EXCL);
+    if (!temporary.is_open()) fail(file, "cannot be written", errno);
+    write_all(temporary, text, file);
+  }
+  atomic.commit();
+}
+
+}  // namespace tanktread::exchange

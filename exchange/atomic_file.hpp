@@ -1,0 +1,30 @@
+// A file that appears whole or not at all.
+#pragma once
+
+#include <filesystem>
+
+namespace tanktread::exchange {
+
+/// Something to be written to a name of its own in the folder of `target`, and renamed onto it when complete.
+/// Until then a reader finds the old file or none; without commit() the temporary file is removed and
+/// `target` is untouched.
+class AtomicFile {
+ public:
+  /// @throws FileError if the folder does not exist or `target` is a folder
+  explicit AtomicFile(std::filesystem::path target);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  /// Where to write: hidden, and unlike that of any other AtomicFile of any process on this machine.
+  const std::filesystem::path& temporary() const { return temporary_; }
+
+  /// Brings the temporary file to the disk, then renames it. @throws FileError
+  void commit();
+
+ private:
+  std::filesystem::path target_, temporary_;
+  bool committed_ = false;
+};
+
+}  // namespace tanktread::exchange

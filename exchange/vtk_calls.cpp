@@ -1,0 +1,177 @@
+#include "exchange/vtk_calls.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <vtkCommand.h>
+#include <vtkDataCompressor.h>
+#include <vtkExecutive.h>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLDataParser.h>
+#include <vtkXMLFileReadTester.h>
+#include <vtkXMLReader.h>
+#include <vtkXMLWriter.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <mutex>
+#include <new>
+#include <regex>
+#include <vector>
+
+#include "exchange/atomic_file.hpp"
+#include "exchange/vtk_files.hpp"
+
+namespace tanktread::exchange {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::string_view last_element = "</VTKFile>";
+
+/// VTK's "ERROR: In file.cxx, line 12\nvtkClass (0x1234): words\n\n" as "vtkClass: words".
+std::string tidy(const std::string& message) {
+  static const std::regex source_line("^[^\n]*: In [^\n]*, line [0-9]+\n"), address(" \\(0x[0-9a-f]+\\)"),
+      line_break("\\s*\n\\s*");
+  auto text = std::regex_replace(message, source_line, "");
+  text = std::regex_replace(text, address, "");
+  text.erase(text.find_last_not_of(" \n") + 1);
+  return std::regex_replace(text, line_break, " ");
+}
+
+class Collector : public vtkCommand {
+ public:
+  static Collector* New() { return new Collector; }
+  void Execute(vtkObject*, unsigned long, void* text) override {
+    messages.push_back(tidy(static_cast<const char*>(text)));
+  }
+  std::vector<std::string> messages;
+};
+
+std::mutex one_at_a_time;
+
+std::string tail(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  if (!stream) throw FileError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
+  const auto size = std::min<std::streamoff>(stream.tellg(), 64);
+  std::string text(static_cast<std::size_t>(size), '\0');
+  stream.seekg(-size, std::ios::end);
+  stream.read(text.data(), size);
+  text.erase(text.find_last_not_of(" \r\n\t") + 1);
+  return text;
+}
+
+void check_type(const fs::path& file, const std::string& type) {
+  vtkNew<vtkXMLFileReadTester> tester;
+  tester->SetFileName(file.c_str());
+  if (tester->TestReadFile() == 0) {
+    throw FileError(fmt::format("{}: is not a VTK XML file (expected one of type {})", file.string(), type));
+  }
+  const std::string found = tester->GetFileDataType() ? tester->GetFileDataType() : "unknown";
+  if (found != type) {
+    throw FileError(
+        fmt::format("{}: is a VTK file of type {}, expected {}; convert it first, as with ParaView or "
+                    "meshio",
+                    file.string(), found, type));
+  }
+}
+
+/// Throws what VTK said or, if it failed without a word, its error code.
+void check_outcome(const VtkMessages& messages, unsigned long error_code, const fs::path& file,
+                   const char* what) {
+  auto text = messages.text();
+  if (text.empty() && error_code == 0) return;
+  if (text.empty()) text = fmt::format("VTK's error code {} (vtkErrorCode.h)", error_code);
+  throw FileError(fmt::format("{}: {}: {}", file.string(), what, text));
+}
+
+}  // namespace
+
+struct VtkMessages::State {
+  std::lock_guard<std::mutex> lock{one_at_a_time};
+  int display = vtkObject::GetGlobalWarningDisplay();
+  vtkNew<Collector> collector;
+};
+
+VtkMessages::VtkMessages() : state_(std::make_unique<State>()) {
+  vtkObject::SetGlobalWarningDisplay(1);  // observers hear nothing while it is off
+}
+
+VtkMessages::~VtkMessages() {
+  vtkObject::SetGlobalWarningDisplay(state_->display);
+}
+
+void VtkMessages::listen_to(vtkObject* object) {
+  object->AddObserver(vtkCommand::ErrorEvent, state_->collector);
+  object->AddObserver(vtkCommand::WarningEvent, state_->collector);
+}
+
+void VtkMessages::listen_to_parser_of(vtkXMLReader& reader) {
+  reader.SetParserErrorObserver(state_->collector);
+}
+
+std::string VtkMessages::text() const {
+  return fmt::format("{}", fmt::join(state_->collector->messages, "; "));
+}
+
+void write_with(vtkXMLWriter& writer, vtkDataObject& data, const fs::path& file) {
+  AtomicFile atomic(file);
+  VtkMessages messages;
+  messages.listen_to(&writer);
+  messages.listen_to(writer.GetExecutive());
+  writer.SetFileName(atomic.temporary().c_str());
+  writer.SetInputData(&data);
+  writer.SetDataModeToAppended();
+  writer.EncodeAppendedDataOff();
+  writer.SetCompressorTypeToNone();
+  writer.SetHeaderTypeToUInt64();  // arrays beyond 4 GiB
+  errno = 0;
+  const bool written = writer.Write() == 1;
+  const int system_error = errno;
+  check_outcome(messages, writer.GetErrorCode(), file, "cannot be written");
+  // VTK does not look at the last bytes, which leave its buffer when the stream closes.
+  std::error_code ignored;
+  if (!written || !fs::exists(atomic.temporary(), ignored) ||
+      !tail(atomic.temporary()).ends_with(last_element)) {
+    throw FileError(
+        fmt::format("{}: cannot be written: {}", file.string(),
+                    system_error != 0 ? std::strerror(system_error) : "the file is not complete"));
+  }
+  atomic.commit();
+}
+
+void read_with(vtkXMLReader& reader, const fs::path& file, const std::string& type) {
+  check_whole(file);
+  check_type(file, type);
+  VtkMessages messages;
+  messages.listen_to(&reader);
+  messages.listen_to(reader.GetExecutive());
+  messages.listen_to_parser_of(reader);
+  reader.SetFileName(file.c_str());
+  try {
+    reader.UpdateInformation();
+    if (reader.GetXMLParser() && reader.GetXMLParser()->GetCompressor()) {
+      messages.listen_to(reader.GetXMLParser()->GetCompressor());
+    }
+    check_outcome(messages, reader.GetErrorCode(), file, "cannot be read");
+    reader.Update();
+  } catch (const std::bad_alloc&) {
+    throw FileError(fmt::format("{}: cannot be read: an array is too large for the memory", file.string()));
+  }
+  check_outcome(messages, reader.GetErrorCode(), file, "cannot be read");
+}
+
+void check_whole(const fs::path& file) {
+  std::error_code error;
+  if (!fs::exists(file, error)) throw FileError(fmt::format("{}: no such file", file.string()));
+  if (fs::is_directory(file, error))
+    throw FileError(fmt::format("{}: is a folder, not a file", file.string()));
+  if (!tail(file).ends_with(last_element)) {
+    throw FileError(
+        fmt::format("{}: does not end with {}: it is cut off, or not a VTK XML file; write or copy it again",
+                    file.string(), last_element));
+  }
+}
+
+}  // namespace tanktread::exchange
