@@ -45,7 +45,8 @@ Ended run_program(const std::vector<std::string>& arguments) {
   return wait_for(start_program(arguments, directory / "log"), directory / "log");
 }
 
-Ended run_and_signal(const std::vector<std::string>& arguments, int signal, const std::function<bool()>& ready) {
+Ended run_and_signal(const std::vector<std::string>& arguments, int signal,
+                     const std::function<bool()>& ready) {
   const TemporaryDirectory directory;
   const pid_t child = start_program(arguments, directory / "log");
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
@@ -62,7 +63,9 @@ TemporaryDirectory::TemporaryDirectory() {
   path_ = pattern;
 }
 
-TemporaryDirectory::~TemporaryDirectory() { std::filesystem::remove_all(path_); }
+TemporaryDirectory::~TemporaryDirectory() {
+  std::filesystem::remove_all(path_);
+}
 
 std::string read_file(const std::filesystem::path& file) {
   std::ifstream input(file, std::ios::binary);
@@ -75,7 +78,8 @@ std::vector<std::pair<std::string, std::string>> result_files(const std::filesys
   std::vector<std::pair<std::string, std::string>> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(directory)) {
     const auto name = std::filesystem::relative(entry.path(), directory).string();
-    if (entry.is_regular_file() && !name.starts_with("checkpoints")) files.emplace_back(name, read_file(entry.path()));
+    if (entry.is_regular_file() && !name.starts_with("checkpoints"))
+      files.emplace_back(name, read_file(entry.path()));
   }
   std::sort(files.begin(), files.end());
   return files;

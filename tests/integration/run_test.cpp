@@ -43,7 +43,8 @@ class Run : public ::testing::Test {
   void SetUp() override { std::ofstream(case_file_) << small_case; }
 
   std::vector<std::string> run_to(const std::string& name, std::vector<std::string> more = {}) const {
-    std::vector<std::string> arguments = {"run", case_file_.string(), "--output", (directory_ / name).string()};
+    std::vector<std::string> arguments = {"run", case_file_.string(), "--output",
+                                          (directory_ / name).string()};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
   }
@@ -61,7 +62,8 @@ class Run : public ::testing::Test {
     const auto folder = directory_ / name / "checkpoints";
     if (!std::filesystem::is_directory(folder)) return false;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-      if (entry.path().filename().string() >= "step_" + step && entry.path().filename().string()[0] == 's') return true;
+      if (entry.path().filename().string() >= "step_" + step && entry.path().filename().string()[0] == 's')
+        return true;
     }
     return false;
   }
@@ -75,11 +77,13 @@ TEST_F(Run, WritesWhatItPromises) {
   ASSERT_EQ(ended.exit_code, 0) << ended.output;
   EXPECT_THAT(ended.output, AllOf(HasSubstr("MLUPS; results are in"), HasSubstr("cost: fluid")));
   const auto table = read_file(directory_ / "out/observables.csv");
-  EXPECT_THAT(table, HasSubstr("step,shear_time,deformation,inclination_deg,length,width,breadth,volume_ratio,"
-                               "area_ratio,elastic_energy,max_speed"));
+  EXPECT_THAT(table,
+              HasSubstr("step,shear_time,deformation,inclination_deg,length,width,breadth,volume_ratio,"
+                        "area_ratio,elastic_energy,max_speed"));
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 21);  // header; 0, 0.05, ... 1.00
-  for (const char* file : {"membrane.pvd", "membrane/membrane_0000000600.vtu", "fluid.pvd", "fluid/fluid_0000000300.vti",
-                           "echo.toml", "checkpoints/step_0000000600/fluid.vti"}) {
+  for (const char* file :
+       {"membrane.pvd", "membrane/membrane_0000000600.vtu", "fluid.pvd", "fluid/fluid_0000000300.vti",
+        "echo.toml", "checkpoints/step_0000000600/fluid.vti"}) {
     EXPECT_TRUE(std::filesystem::exists(directory_ / "out" / file)) << file;
   }
   // The last two checkpoints are kept.
@@ -101,7 +105,8 @@ TEST_F(Run, IsReproducedByItsEchoAndByAnyNumberOfThreads) {
 
 TEST_F(Run, KilledAndResumedEqualsUninterrupted) {
   ASSERT_EQ(run_program(run_to("whole")).exit_code, 0);
-  const auto killed = run_and_signal(run_to("killed"), SIGKILL, [&] { return has_checkpoint_after("killed", "0000000240"); });
+  const auto killed =
+      run_and_signal(run_to("killed"), SIGKILL, [&] { return has_checkpoint_after("killed", "0000000240"); });
   ASSERT_EQ(killed.exit_code, 128 + SIGKILL) << "the run ended before it was killed";
   const auto resumed = run_program({"run", "--resume", (directory_ / "killed").string()});
   ASSERT_EQ(resumed.exit_code, 0) << resumed.output;
@@ -118,13 +123,15 @@ TEST_F(Run, SignalsEndItWithACheckpoint) {
     EXPECT_EQ(stopped.exit_code, 128 + signal) << stopped.output;
     EXPECT_TRUE(has_checkpoint_after(name, "0000000001"));
     ASSERT_EQ(run_program({"run", "--resume", (directory_ / name).string()}).exit_code, 0);
-    EXPECT_EQ(read_file(directory_ / "whole/observables.csv"), read_file(directory_ / name / "observables.csv"));
+    EXPECT_EQ(read_file(directory_ / "whole/observables.csv"),
+              read_file(directory_ / name / "observables.csv"));
   }
 }
 
 TEST_F(Run, ShearTimeExtendsAFinishedRun) {
   ASSERT_EQ(run_program(run_to("long")).exit_code, 0);
-  // 0.33 is on no schedule but that of the checkpoints' end: what it writes last must not stay in the longer run.
+  // 0.33 is on no schedule but that of the checkpoints' end: what it writes last must not stay in the longer
+  // run.
   ASSERT_EQ(run_program(run_to("short", {"--shear-time", "0.33"})).exit_code, 0);
   const auto ended = run_program({"run", "--resume", (directory_ / "short").string(), "--shear-time", "1.0"});
   ASSERT_EQ(ended.exit_code, 0) << ended.output;
@@ -163,14 +170,15 @@ TEST_F(Run, BadInputLeavesNothingBehind) {
 TEST_F(Run, BreakdownStopsWithTheLastGoodState) {
   const auto ended = run_program(run_to("out", {"--set", "flow.speed_limit=0.015"}));
   EXPECT_EQ(ended.exit_code, 3) << ended.output;
-  EXPECT_THAT(ended.output, AllOf(HasSubstr("step "), HasSubstr("velocity at node ("), HasSubstr("limit of 0.015"),
-                                  HasSubstr("last good state: "), HasSubstr("checkpoints/step_")));
+  EXPECT_THAT(ended.output,
+              AllOf(HasSubstr("step "), HasSubstr("velocity at node ("), HasSubstr("limit of 0.015"),
+                    HasSubstr("last good state: "), HasSubstr("checkpoints/step_")));
 }
 
 TEST_F(Run, SoftCapsuleThatTearsStops) {
   // At Ca = 1e6 nothing holds the membrane; in a strong flow an element collapses or a node runs into a wall.
-  const auto ended = run_program(run_to("out", {"--set", "membrane.capillary_number=1e6", "--shear-time", "60",
-                                                "--set", "output.fluid_every=0"}));
+  const auto ended = run_program(run_to("out", {"--set", "membrane.capillary_number=1e6", "--shear-time",
+                                                "60", "--set", "output.fluid_every=0"}));
   EXPECT_EQ(ended.exit_code, 3) << ended.output;
   EXPECT_THAT(ended.output, HasSubstr("last good state: "));
 }
@@ -194,7 +202,8 @@ TEST(Program, MakesAndInspectsMeshes) {
   ASSERT_EQ(run_program({"mesh", "sphere", "--level", "2", "--radius", "19.1", file}).exit_code, 0);
   const auto info = run_program({"mesh", "info", file});
   EXPECT_EQ(info.exit_code, 0);
-  EXPECT_THAT(info.output, AllOf(HasSubstr("triangles           320"), HasSubstr("a membrane can be made of it")));
+  EXPECT_THAT(info.output,
+              AllOf(HasSubstr("triangles           320"), HasSubstr("a membrane can be made of it")));
   EXPECT_EQ(run_program({"mesh", "sphere", "--level", "99", file}).exit_code, 2);
   EXPECT_NE(run_program({"mesh", "info", (directory / "none.vtu").string()}).exit_code, 0);
 }
