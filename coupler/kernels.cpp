@@ -1,3 +1,5 @@
+// The discrete deltas. Their moments are derived and tabulated in docs/kernels.md.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -6,13 +8,14 @@
 namespace tanktread::coupler {
 namespace {
 
-/// (1 + cos(pi r/2))/4 for |r| <= 2 (Eq. 2.2; Peskin 1977, doi 10.1016/0021-9991(77)90100-0).
+/// phi(r) = (1 + cos(pi r / 2)) / 4, |r| <= 2 (Peskin 1977, doi:10.1016/0021-9991(77)90100-0; Eq. 2.2).
 double cosine4(double distance) {
   const double r = std::abs(distance);
-  return r < 2.0 ? 0.25 * (1.0 + std::cos(0.5 * std::numbers::pi * r)) : 0.0;
+  if (r >= 2.0) return 0.0;
+  return 0.25 * (1.0 + std::cos(0.5 * std::numbers::pi * r));
 }
 
-/// The four points of cosine4 are a quarter turn apart, so that one sine and cosine serve all of them.
+/// The four points of cosine4 are a quarter turn apart: one cosine and one sine serve them all.
 void cosine4_weights(double first_distance, double* weights) {
   const double angle = 0.5 * std::numbers::pi * first_distance;
   const double cosine = 0.25 * std::cos(angle), sine = 0.25 * std::sin(angle);
@@ -22,49 +25,61 @@ void cosine4_weights(double first_distance, double* weights) {
   weights[3] = 0.25 + sine;
 }
 
-/// Three points (Roma, Peskin & Berger 1999, Eqs. 22-23; doi 10.1006/jcph.1999.6293).
+/// The three-point function (Roma, Peskin and Berger 1999, doi:10.1006/jcph.1999.6293).
 double roma3(double distance) {
   const double r = std::abs(distance);
+  if (r >= 1.5) return 0.0;
   if (r <= 0.5) return (1.0 + std::sqrt(1.0 - 3.0 * r * r)) / 3.0;
-  if (r < 1.5) return (5.0 - 3.0 * r - std::sqrt(1.0 - 3.0 * (1.0 - r) * (1.0 - r))) / 6.0;
-  return 0.0;
+  const double complement = 1.0 - r;
+  return (5.0 - 3.0 * r - std::sqrt(1.0 - 3.0 * complement * complement)) / 6.0;
 }
 
-/// Four points with the even-odd condition (Peskin 2002, Eqs. 6.27-6.28; doi 10.1017/S0962492902000077).
+/// The four-point function (Peskin 2002, doi:10.1017/S0962492902000077, Sect. 6).
 double peskin4(double distance) {
   const double r = std::abs(distance);
+  if (r >= 2.0) return 0.0;
   if (r <= 1.0) return (3.0 - 2.0 * r + std::sqrt(1.0 + 4.0 * r - 4.0 * r * r)) / 8.0;
-  if (r < 2.0) return (5.0 - 2.0 * r - std::sqrt(-7.0 + 12.0 * r - 4.0 * r * r)) / 8.0;
-  return 0.0;
+  return (5.0 - 2.0 * r - std::sqrt(-7.0 + 12.0 * r - 4.0 * r * r)) / 8.0;
 }
 
-/// The hat of linear interpolation.
+/// The hat function, that is trilinear interpolation (Krueger et al. 2017, doi:10.1007/978-3-319-44649-3,
+/// Sect. 11.4).
 double linear2(double distance) {
-  const double r = std::abs(distance);
-  return r < 1.0 ? 1.0 - r : 0.0;
+  return std::max(0.0, 1.0 - std::abs(distance));
 }
 
 }  // namespace
 
 const std::vector<Kernel>& kernels() {
-  static const std::vector<Kernel> table = {
-      {"cosine4", "(1 + cos(pi r/2))/4, 4 points (Peskin 1977): sum 1, no exact first moment", 2.0, false,
-       cosine4, cosine4_weights},
-      {"roma3", "3 points (Roma, Peskin & Berger 1999): sum 1, first moment 0", 1.5, true, roma3, nullptr},
-      {"peskin4", "4 points (Peskin 2002): sum 1, first moment 0, even and odd sums 1/2", 2.0, true, peskin4,
-       nullptr},
-      {"linear2", "1 - r, 2 points: sum 1, first moment 0, not smooth", 1.0, true, linear2, nullptr},
+  static const std::vector<Kernel> all = {
+      {"cosine4",
+       "(1 + cos(pi r/2))/4, 4 points (Peskin 1977; Eq. 2.2): partition of unity, even-odd condition, sum of "
+       "squares 3/8; the first moment does not vanish (at most 0.021)",
+       2.0, false, cosine4, cosine4_weights},
+      {"roma3",
+       "3 points (Roma, Peskin and Berger 1999): partition of unity, first moment, sum of squares 1/2; no "
+       "even-odd condition",
+       1.5, true, roma3, nullptr},
+      {"peskin4",
+       "4 points, square roots (Peskin 2002): partition of unity, first moment, even-odd condition, sum of "
+       "squares 3/8",
+       2.0, true, peskin4, nullptr},
+      {"linear2",
+       "1 - |r|, 2 points (trilinear interpolation): partition of unity, first moment; no even-odd "
+       "condition, "
+       "sum of squares between 1/2 and 1",
+       1.0, true, linear2, nullptr},
   };
-  return table;
+  return all;
 }
 
 const Kernel& kernel(const std::string& name) {
+  const auto& all = kernels();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Kernel& k) { return k.name == name; });
+  if (found != all.end()) return *found;
   std::string known;
-  for (const auto& entry : kernels()) {
-    if (entry.name == name) return entry;
-    known += (known.empty() ? "" : ", ") + entry.name;
-  }
-  throw std::invalid_argument("unknown kernel '" + name + "'; known are " + known);
+  for (const auto& k : all) known += (known.empty() ? "" : ", ") + k.name;
+  throw std::invalid_argument("unknown kernel '" + name + "'; choose from " + known);
 }
 
 }  // namespace tanktread::coupler

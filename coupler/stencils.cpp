@@ -1,143 +1,155 @@
 #include "coupler/stencils.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace tanktread::coupler {
 namespace {
 
-constexpr std::int32_t untouched = -1;
-constexpr std::array<std::int32_t, 2> nothing_reached = {std::numeric_limits<std::int32_t>::max(), -1};
+constexpr char axis_name[] = {'x', 'y', 'z'};
+
+/// Index of the k-th grid node of a stencil along an axis.
+int index_of(int first, int k, int nodes) {
+  const int index = first + k;
+  return index < nodes ? index : index - nodes;
+}
 
 }  // namespace
 
-Stencils::Stencils(const Grid& grid, const Kernel& kernel, int n_threads)
+StencilBuilder::StencilBuilder(const Grid& grid, const Kernel& kernel, int shares)
     : grid_(grid),
       kernel_(kernel),
-      n_threads_(n_threads),
-      n_points_(static_cast<int>(std::ceil(2.0 * kernel.half_width))) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (grid.nodes[axis] < n_points_) {
-      throw std::invalid_argument("coupler: axis " + std::to_string(axis) + " has " +
-                                  std::to_string(grid.nodes[axis]) + " nodes, kernel " + kernel.name +
-                                  " needs " + std::to_string(n_points_));
-    }
-  }
-  surface_begin_ = {0};
-  place_of_.assign(static_cast<std::size_t>(grid.nodes[0]) * grid.nodes[1] * grid.nodes[2], untouched);
-  row_reach_.assign(static_cast<std::size_t>(grid.nodes[1]) * grid.nodes[2], nothing_reached);
+      width_(width_of(kernel)),
+      shares_(shares),
+      axes_{AxisStencil(grid.nodes[0], grid.periodic[0], kernel_),
+            AxisStencil(grid.nodes[1], grid.periodic[1], kernel_),
+            AxisStencil(grid.nodes[2], grid.periodic[2], kernel_)},
+      marks_(grid),
+      share_of_plane_(grid.nodes[2]) {
+  // Neighbouring planes go to different shares: every stencil then has work for up to `width` of them.
+  for (int z = 0; z < grid.nodes[2]; ++z) share_of_plane_[z] = z % shares;
 }
 
-void Stencils::build(std::span<const std::span<const double>> surfaces) {
-  std::vector<std::int64_t> begin = {0};
-  for (const auto surface : surfaces)
-    begin.push_back(begin.back() + static_cast<std::int64_t>(surface.size() / 3));
-  std::vector<Stencil> stencils(begin.back());
+void StencilBuilder::build(std::span<const std::span<const double>> surfaces, Stencils& stencils) {
+  resize(surfaces, stencils);
+  weigh(surfaces, stencils);
+  place_across(stencils);
+  mark(stencils);
+  marks_.number(stencils.grid_nodes);
+  find_runs(stencils);
+}
+
+void StencilBuilder::resize(std::span<const std::span<const double>> surfaces, Stencils& stencils) const {
+  stencils.width = width_;
+  stencils.first_node.assign(1, 0);
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
-    const std::int64_t n = begin[s + 1] - begin[s];
-    std::int64_t first_bad = n;
-#pragma omp parallel for num_threads(n_threads_) schedule(static) reduction(min : first_bad)
-    for (std::int64_t node = 0; node < n; ++node) {
-      if (!place(&surfaces[s][3 * node], stencils[begin[s] + node])) first_bad = std::min(first_bad, node);
+    if (surfaces[s].size() % 3 != 0) {
+      throw std::invalid_argument("coupler: surface " + std::to_string(s) + " has " +
+                                  std::to_string(surfaces[s].size()) +
+                                  " coordinates; 3 numbers a node are needed");
     }
-    if (first_bad < n) refuse(s, first_bad, &surfaces[s][3 * first_bad]);
+    stencils.first_node.push_back(stencils.n_nodes() + surfaces[s].size() / 3);
   }
-  surface_begin_ = std::move(begin);
-  stencils_ = std::move(stencils);
-  list_touched();
+  const std::size_t n = stencils.n_nodes();
+  stencils.weights.resize(3 * n * width_);
+  stencils.first.resize(n);
+  stencils.run.resize(n * width_ * width_);
+  stencils.across.resize(n);
 }
 
-bool Stencils::place(const double* position, Stencil& stencil) const {
-  for (int axis = 0; axis < 3; ++axis) {
-    const double coordinate = position[axis] - 0.5;  // in node numbers
-    const int n = grid_.nodes[axis];
-    if (!(std::abs(coordinate) < 1e9)) return false;  // not finite, or past what an int can number
-    const double first = std::floor(coordinate - kernel_.half_width) + 1.0;
-    auto& weight = stencil.weight[axis];
-    weight = {};
-    if (kernel_.weights != nullptr) {
-      kernel_.weights(first - coordinate, weight.data());
-    } else {
-      for (int point = 0; point < n_points_; ++point)
-        weight[point] = kernel_.function(first + point - coordinate);
+// Weights and lowest grid indices; refuses the first node (by its number) that has no stencil.
+void StencilBuilder::weigh(std::span<const std::span<const double>> surfaces, Stencils& stencils) const {
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    const double* positions = surfaces[s].data();
+    const std::size_t n = surfaces[s].size() / 3, before = stencils.first_node[s];
+    std::size_t first_refused = n;
+#pragma omp parallel for num_threads(shares_) schedule(static) reduction(min : first_refused)
+    for (std::size_t node = 0; node < n; ++node) {
+      const std::size_t m = before + node;
+      for (int axis = 0; axis < 3; ++axis) {
+        const Fit fit = axes_[axis].fit(positions[3 * node + axis], stencils.first[m][axis],
+                                        &stencils.weights[(3 * m + axis) * width_]);
+        if (fit != Fit::inside) first_refused = std::min(first_refused, node);
+      }
     }
-    int number = static_cast<int>(first);
-    if (grid_.periodic[axis]) {
-      number = ((number % n) + n) % n;
-    } else if (number < 0 || number + n_points_ > n) {
-      return false;
-    }
-    stencil.first[axis] = number;
+    if (first_refused < n) refuse(s, first_refused, &positions[3 * first_refused]);
   }
-  return true;
 }
 
-void Stencils::refuse(std::size_t surface, std::int64_t node, const double* position) const {
-  std::ostringstream message;
-  message << "node " << node << " of surface " << surface << " at (" << position[0] << ", " << position[1]
-          << ", " << position[2] << ") ";
-  for (int axis = 0; axis < 3; ++axis) {
-    if (grid_.periodic[axis] && std::isfinite(position[axis])) continue;
-    const double wall_distance = std::min(position[axis], grid_.nodes[axis] - position[axis]);
-    if (!std::isfinite(position[axis])) {
-      message << "is not finite";
-    } else if (wall_distance < kernel_.half_width + 0.5) {
-      message << "is " << wall_distance << " grid steps from the wall across "
-              << "xyz"[axis] << "; kernel " << kernel_.name << " reaches " << kernel_.half_width
-              << " and finds no fluid nodes beyond the wall";
-    } else {
-      continue;
-    }
-    throw StencilError(message.str());
-  }
-  message << "is out of any reach";
-  throw StencilError(message.str());
+// Gives each stencil across the periodic face of x its place.
+void StencilBuilder::place_across(Stencils& stencils) const {
+  std::int32_t places = 0;
+  for (std::size_t m = 0; m < stencils.n_nodes(); ++m)
+    stencils.across[m] = stencils.first[m][0] + width_ > grid_.nodes[0] ? places++ : -1;
+  stencils.across_run.resize(std::size_t{1} * places * width_ * width_);
 }
 
-void Stencils::list_touched() {
-  const int nx = grid_.nodes[0];
-  for (const std::int64_t node : touched_) place_of_[node] = untouched;
-  touched_.clear();
-
-  for (std::int64_t node = 0; node < n_stencils(); ++node) {
-    const auto& first = stencils_[node].first;
-    for (int k = 0; k < n_points_; ++k) {
-      for (int j = 0; j < n_points_; ++j) {
-        const int y = wrapped(first[1] + j, 1), z = plane(node, k);
-        auto& reach = row_reach_[std::int64_t{z} * grid_.nodes[1] + y];
-        std::int32_t* row = &place_of_[index(0, y, z)];
-        for (int i = 0; i < n_points_; ++i) {
-          const int x = wrapped(first[0] + i, 0);
-          row[x] = 0;
-          reach[0] = std::min(reach[0], x);
-          reach[1] = std::max(reach[1], x);
+void StencilBuilder::mark(const Stencils& stencils) {
+  const auto [nx, ny, nz] = grid_.nodes;
+  marks_.clear();
+#pragma omp parallel for num_threads(shares_) schedule(static, 1)
+  for (int share = 0; share < shares_; ++share) {
+    for (const auto& first : stencils.first) {
+      const int before_face = std::min(width_, nx - first[0]);
+      for (int kz = 0; kz < width_; ++kz) {
+        const int z = index_of(first[2], kz, nz);
+        if (share_of_plane_[z] != share) continue;
+        for (int ky = 0; ky < width_; ++ky) {
+          const std::int64_t row = std::int64_t{z} * ny + index_of(first[1], ky, ny);
+          marks_.mark(row, first[0], before_face);
+          if (before_face < width_) marks_.mark(row, 0, width_ - before_face);
         }
       }
     }
   }
-  for (std::size_t row = 0; row < row_reach_.size(); ++row) {
-    for (std::int32_t x = row_reach_[row][0]; x <= row_reach_[row][1]; ++x) {
-      const std::int64_t node = static_cast<std::int64_t>(row) * nx + x;
-      if (place_of_[node] == untouched) continue;
-      place_of_[node] = static_cast<std::int32_t>(touched_.size());
-      touched_.push_back(node);
-    }
-    row_reach_[row] = nothing_reached;
-  }
+}
 
-  runs_.resize(stencils_.size() * most_points * most_points);
-#pragma omp parallel for num_threads(n_threads_) schedule(static)
-  for (std::int64_t node = 0; node < n_stencils(); ++node) {
-    const auto& first = stencils_[node].first;
-    for (int k = 0; k < n_points_; ++k) {
-      for (int j = 0; j < n_points_; ++j) {
-        const std::int64_t row = index(0, wrapped(first[1] + j, 1), plane(node, k));
-        runs_[(node * most_points + k) * most_points + j] = {place_of_[row + first[0]], place_of_[row]};
+void StencilBuilder::find_runs(Stencils& stencils) const {
+  const auto [nx, ny, nz] = grid_.nodes;
+  const std::size_t n = stencils.n_nodes(), rows = std::size_t{1} * width_ * width_;
+#pragma omp parallel for num_threads(shares_) schedule(static)
+  for (std::size_t m = 0; m < n; ++m) {
+    const auto& first = stencils.first[m];
+    std::int32_t* across = stencils.across[m] < 0 ? nullptr : &stencils.across_run[stencils.across[m] * rows];
+    std::int32_t* run = &stencils.run[m * rows];
+    for (int kz = 0; kz < width_; ++kz) {
+      const std::int64_t plane = std::int64_t{index_of(first[2], kz, nz)} * ny;
+      for (int ky = 0; ky < width_; ++ky) {
+        const std::int64_t row = plane + index_of(first[1], ky, ny);
+        *run++ = marks_.number_of(row, first[0]);
+        if (across) *across++ = marks_.number_of(row, 0);
       }
     }
   }
+}
+
+void StencilBuilder::refuse(std::size_t surface, std::size_t node, const double* position) const {
+  std::ostringstream message;
+  message.precision(8);
+  message << "coupler: surface " << surface << ", node " << node << " at (" << position[0] << ", "
+          << position[1] << ", " << position[2] << "): ";
+  for (int axis = 0; axis < 3; ++axis) {
+    const double x = position[axis];
+    const double length = grid_.nodes[axis];
+    int first = 0;
+    double weights[max_width];
+    const Fit fit = axes_[axis].fit(x, first, weights);
+    if (fit == Fit::inside) continue;
+    if (fit == Fit::not_finite) {
+      message << axis_name[axis] << " is not finite";
+    } else if (fit == Fit::too_far) {
+      message << axis_name[axis] << " is more than " << farthest_coordinate
+              << " grid steps from the origin, where a position no longer resolves the grid";
+    } else {
+      // The first node beyond a wall is half a grid step behind it.
+      const bool low = x < 0.5 * length;
+      message << "its distance from the wall at " << axis_name[axis] << " = " << (low ? 0.0 : length)
+              << " is " << (low ? x : length - x) << " grid steps; kernel '" << kernel_.name
+              << "' of half-width " << kernel_.half_width << " needs at least " << kernel_.half_width - 0.5;
+    }
+    throw StencilError(message.str());
+  }
+  throw std::logic_error("coupler: a node that fits was refused");
 }
 
 }  // namespace tanktread::coupler

@@ -1,78 +1,65 @@
-// The stencils of membrane nodes, and the list of grid nodes they touch. Internal to coupler/.
+// The stencils of all surfaces at one instant, and how they are built.
 #pragma once
 
-#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "coupler/axis_stencil.hpp"
 #include "coupler/coupler.hpp"
+#include "coupler/grid_marks.hpp"
 
 namespace tanktread::coupler {
 
-/// Most points a kernel has along an axis.
-inline constexpr int most_points = 4;
+/// The stencil of membrane node m (counted through all surfaces) is the product of three stencils of `width`
+/// grid nodes, one an axis. In each of its width x width rows along x it touches a run of neighbours, whose
+/// numbers in grid_nodes are consecutive: one number a row says where they are. A run that goes on across the
+/// periodic face of x has a second part, which begins at x = 0.
+struct Stencils {
+  int width = 0;
+  std::vector<std::size_t> first_node = {0};  ///< membrane nodes before each surface; at the end, of all
+  std::vector<double> weights;                ///< [m][axis][width]
+  std::vector<std::array<int, 3>> first;      ///< [m] lowest grid index along each axis, within the grid
+  std::vector<std::int32_t> run;              ///< [m][z][y] number of the first grid node of each row
+  std::vector<std::int32_t> across;           ///< [m] its place in across_run, in stencils; -1: not across x
+  std::vector<std::int32_t> across_run;       ///< [place][z][y] number of the grid node at x = 0 of each row
+  std::vector<std::int64_t> grid_nodes;       ///< linear indices, ascending
 
-/// Weights of one membrane node along each axis, and the first grid node of its box, wrapped into the grid.
-struct Stencil {
-  std::array<std::array<double, most_points>, 3> weight;
-  std::array<int, 3> first;
+  std::size_t n_surfaces() const { return first_node.size() - 1; }
+  std::size_t n_nodes() const { return first_node.back(); }
 };
 
-/// A run of grid nodes along x in the list of touched nodes. A run that reaches round the box goes on at
-/// `wrapped`.
-struct Run {
-  std::int32_t start, wrapped;
-};
-
-/// Stencils of all surfaces, one after the other, and where their runs lie in the list of touched nodes.
-class Stencils {
+/// Builds Stencils for one grid and kernel.
+class StencilBuilder {
  public:
-  Stencils(const Grid& grid, const Kernel& kernel, int n_threads);
+  /// @param shares the work is cut into this many shares, each done by one thread
+  StencilBuilder(const Grid& grid, const Kernel& kernel, int shares);
+  StencilBuilder(const StencilBuilder&) = delete;
+  StencilBuilder& operator=(const StencilBuilder&) = delete;
 
-  /// @throws StencilError; the old stencils stay
-  void build(std::span<const std::span<const double>> surfaces);
+  /// Fills `stencils` anew; its memory is used again. After a throw it holds nothing of use.
+  /// @throws StencilError, std::invalid_argument (a span that has not 3 numbers a node)
+  void build(std::span<const std::span<const double>> surfaces, Stencils& stencils);
 
-  int n_points() const { return n_points_; }
-  std::int64_t n_stencils() const { return static_cast<std::int64_t>(stencils_.size()); }
-  const Stencil& stencil(std::int64_t node) const { return stencils_[node]; }
-  /// Run of row (j, k) of a node's box, j along y, k along z.
-  const Run& run(std::int64_t node, int j, int k) const {
-    return runs_[(node * most_points + k) * most_points + j];
-  }
-  /// Points of a node's runs before they reach round the box along x.
-  int points_before_wrap(std::int64_t node) const {
-    return std::min(n_points_, grid_.nodes[0] - stencils_[node].first[0]);
-  }
-  /// Grid plane of the k-th layer of a node's box.
-  int plane(std::int64_t node, int k) const { return wrapped(stencils_[node].first[2] + k, 2); }
-
-  /// First node of each surface in the common numbering, and one past the last.
-  const std::vector<std::int64_t>& surface_begin() const { return surface_begin_; }
-  const std::vector<std::int64_t>& touched() const { return touched_; }
+  /// The share that owns the grid plane z: the only one that writes to it.
+  int share_of_plane(int z) const { return share_of_plane_[z]; }
 
  private:
-  int wrapped(int position, int axis) const {
-    return position >= grid_.nodes[axis] ? position - grid_.nodes[axis] : position;
-  }
-  std::int64_t index(int x, int y, int z) const {
-    return (std::int64_t{z} * grid_.nodes[1] + y) * grid_.nodes[0] + x;
-  }
-  /// Weights and place of one node. @return false if the stencil has no place in the grid
-  bool place(const double* position, Stencil& stencil) const;
-  [[noreturn]] void refuse(std::size_t surface, std::int64_t node, const double* position) const;
-  void list_touched();
+  void resize(std::span<const std::span<const double>> surfaces, Stencils& stencils) const;
+  void weigh(std::span<const std::span<const double>> surfaces, Stencils& stencils) const;
+  void mark(const Stencils& stencils);
+  void find_runs(Stencils& stencils) const;
+  void place_across(Stencils& stencils) const;
+  [[noreturn]] void refuse(std::size_t surface, std::size_t node, const double* position) const;
 
   Grid grid_;
   Kernel kernel_;
-  int n_threads_, n_points_;
-  std::vector<std::int64_t> surface_begin_;
-  std::vector<Stencil> stencils_;
-  std::vector<Run> runs_;
-  std::vector<std::int64_t> touched_;                   ///< ascending
-  std::vector<std::int32_t> place_of_;                  ///< of every grid node in touched_; -1: not touched
-  std::vector<std::array<std::int32_t, 2>> row_reach_;  ///< of every row (y, z): first and last x touched
+  int width_, shares_;
+  std::array<AxisStencil, 3> axes_;
+  GridMarks marks_;
+  std::vector<int> share_of_plane_;
 };
 
 }  // namespace tanktread::coupler

@@ -1,0 +1,83 @@
+// The stencil along one axis: which grid indices a coordinate touches, and with what weights.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "coupler/coupler.hpp"
+
+namespace tanktread::coupler {
+
+/// Widest kernel that has a compiled stencil loop, in grid nodes.
+inline constexpr int max_width = 6;
+
+/// Grid steps from the origin beyond which a coordinate is refused: a double there resolves 2.4e-7 of a grid
+/// step, and weights would lose that much.
+inline constexpr double farthest_coordinate = 1073741824.0;  // 2^30
+
+/// Number of grid nodes that a kernel touches along an axis.
+inline int width_of(const Kernel& kernel) {
+  return static_cast<int>(std::ceil(2.0 * kernel.half_width));
+}
+
+/// What became of a coordinate.
+enum class Fit { inside, beyond_wall, not_finite, too_far };
+
+/// The grid as seen along one axis. The kernel is borrowed and must outlive this.
+class AxisStencil {
+ public:
+  AxisStencil(int nodes, bool periodic, const Kernel& kernel)
+      : nodes_(nodes), periodic_(periodic), width_(width_of(kernel)), kernel_(kernel) {}
+
+  /// Finds the `width` grid nodes first, first + 1, ... (modulo the period) within the kernel's reach.
+  /// @param first    the lowest of them, 0 <= first < nodes; without a period first + width <= nodes as well
+  /// @param weights  `width` numbers, phi(node - position)
+  /// @return anything but `inside`: first and weights are of no use
+  Fit fit(double position, int& first, double* weights) const {
+    if (!std::isfinite(position)) return Fit::not_finite;
+    if (std::abs(position) > farthest_coordinate) return Fit::too_far;
+    const double from_first_node = position - 0.5;
+    // The lowest node whose distance is less than the half-width. The highest then is at most at the
+    // half-width, where the kernel vanishes.
+    const double lowest = std::floor(from_first_node - kernel_.half_width) + 1.0;
+    const double first_distance = lowest - from_first_node;
+    if (kernel_.weights) {
+      kernel_.weights(first_distance, weights);
+    } else {
+      for (int k = 0; k < width_; ++k) weights[k] = kernel_.function(first_distance + k);
+    }
+    std::int64_t index = static_cast<std::int64_t>(lowest);
+    if (periodic_) {
+      first = wrapped(index);
+      return Fit::inside;
+    }
+    // A node beyond the wall is harmless where its weight is zero (a kernel just at the end of its reach):
+    // the window then moves inside by one node, whose weight is zero as well.
+    if (index < 0 && weights[0] == 0.0) {
+      std::copy(weights + 1, weights + width_, weights);
+      weights[width_ - 1] = 0.0;
+      ++index;
+    } else if (index + width_ > nodes_ && weights[width_ - 1] == 0.0) {
+      std::copy_backward(weights, weights + width_ - 1, weights + width_);
+      weights[0] = 0.0;
+      --index;
+    }
+    first = static_cast<int>(index);
+    return index >= 0 && index + width_ <= nodes_ ? Fit::inside : Fit::beyond_wall;
+  }
+
+ private:
+  int wrapped(std::int64_t index) const {
+    if (index >= 0 && index < nodes_) return static_cast<int>(index);
+    const std::int64_t remainder = index % nodes_;
+    return static_cast<int>(remainder < 0 ? remainder + nodes_ : remainder);
+  }
+
+  int nodes_;
+  bool periodic_;
+  int width_;
+  const Kernel& kernel_;
+};
+
+}  // namespace tanktread::coupler
