@@ -1,9 +1,10 @@
-// Kinematics of a linear triangle in space, and the nodal force of a stress in it. Header only: the inner
-// loop.
+// Kinematics of a linear triangle in space, and the nodal force of a stress in it. Header only: inlined into
+// the loop over elements.
 #pragma once
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <cmath>
 
 #include "membrane/elastic_law.hpp"
@@ -39,17 +40,37 @@ inline SurfaceGradient deformation_gradient(const Eigen::Matrix3d& corners, cons
   return corners * element.shape_gradient;
 }
 
-/// Right Cauchy-Green tensor Cg = F^T F; the Green strain is E = (Cg - I)/2 (Eq. 2.8).
+/// Right Cauchy-Green tensor Cg = F^T F, called c below; the Green strain is E = (Cg - I)/2 (Eq. 2.8).
 inline Eigen::Matrix2d cauchy_green(const SurfaceGradient& gradient) {
   return gradient.transpose() * gradient;
 }
 
-/// Eq. 2.5.
-inline Invariants invariants(const Eigen::Matrix2d& cauchy_green_tensor) {
-  return {cauchy_green_tensor.trace() - 2.0, cauchy_green_tensor.determinant() - 1.0};
+/// Principal stretches lambda1 >= lambda2, the square roots of the eigenvalues of Cg.
+inline Eigen::Vector2d principal_stretches(const Eigen::Matrix2d& c) {
+  const double largest = 0.5 * c.trace() + std::hypot(0.5 * (c(0, 0) - c(1, 1)), c(0, 1));
+  // The smaller square from the product of both, not from a difference that loses digits.
+  return {std::sqrt(largest), std::sqrt(c.determinant() / largest)};
 }
 
-/// Second Piola-Kirchhoff stress S = 2 (W_1 I + W_2 adj Cg).
+/// Invariants of the strain (Eq. 2.5).
+inline Invariants invariants(const Eigen::Matrix2d& c) {
+  return {c.trace() - 2.0, c.determinant() - 1.0};
+}
+
+/// Right stretch tensor U of F = R U, U^2 = Cg, in closed form: by Cayley-Hamilton in two dimensions
+/// U = (Cg + J I)/sqrt(tr Cg + 2 J) with J = det U = sqrt(det Cg).
+inline Eigen::Matrix2d right_stretch(const Eigen::Matrix2d& c) {
+  const double area_ratio = std::sqrt(c.determinant());
+  return (c + area_ratio * Eigen::Matrix2d::Identity()) / std::sqrt(c.trace() + 2.0 * area_ratio);
+}
+
+/// Polar rotation R = F U^-1: its two orthonormal columns are the axes of the frame that turns with the
+/// element, in space.
+inline SurfaceGradient polar_rotation(const SurfaceGradient& gradient, const Eigen::Matrix2d& stretch) {
+  return gradient * stretch.inverse();
+}
+
+/// Second Piola-Kirchhoff stress of an elastic response, S = 2 (W_1 I + W_2 adj Cg).
 inline Eigen::Matrix2d second_piola_kirchhoff(const Eigen::Matrix2d& c, const ElasticResponse& response) {
   Eigen::Matrix2d stress;
   stress << response.w1 + response.w2 * c(1, 1), -response.w2 * c(0, 1), -response.w2 * c(1, 0),
@@ -57,12 +78,21 @@ inline Eigen::Matrix2d second_piola_kirchhoff(const Eigen::Matrix2d& c, const El
   return 2.0 * stress;
 }
 
+/// Second Piola-Kirchhoff stress of a Cauchy stress s given in the frame of the polar rotation (sigma =
+/// R s R^T in space): S = J F^-1 sigma F^-T = J U^-1 s U^-1.
+inline Eigen::Matrix2d pulled_back(const Eigen::Matrix2d& rotated_cauchy_stress,
+                                   const Eigen::Matrix2d& stretch) {
+  const Eigen::Matrix2d inverse = stretch.inverse();
+  return stretch.determinant() * inverse * rotated_cauchy_stress * inverse;
+}
+
 /// Cauchy stress in space, F S F^T / J with J = sqrt(det Cg), force per length.
 inline Eigen::Matrix3d cauchy_stress(const SurfaceGradient& gradient, const Eigen::Matrix2d& stress) {
   return gradient * stress * gradient.transpose() / std::sqrt(cauchy_green(gradient).determinant());
 }
 
-/// Forces on the three corners, -A0 F S grad N_a, as columns. They sum to zero.
+/// Forces on the three corners, -A0 P grad N_a with P = F S (first Piola-Kirchhoff stress), as columns. They
+/// sum to zero, and so do their moments, for S is symmetric.
 inline Eigen::Matrix3d corner_forces(const SurfaceGradient& gradient, const Eigen::Matrix2d& stress,
                                      const ReferenceElement& element) {
   return -element.area * gradient * stress * element.shape_gradient.transpose();

@@ -5,7 +5,7 @@
 namespace tanktread::membrane {
 namespace {
 
-class Hookean final : public ElasticLaw {
+class Hookean final : public ElasticLawOf<Hookean> {
  public:
   Hookean(double shear_modulus, double poisson_ratio)
       : shear_modulus_(shear_modulus), trace_factor_(poisson_ratio / (1.0 - poisson_ratio)) {}

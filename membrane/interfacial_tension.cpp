@@ -7,7 +7,7 @@
 namespace tanktread::membrane {
 namespace {
 
-class InterfacialTension final : public ElasticLaw {
+class InterfacialTension final : public ElasticLawOf<InterfacialTension> {
  public:
   explicit InterfacialTension(double tension) : tension_(tension) {}
 

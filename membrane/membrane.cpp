@@ -3,29 +3,32 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
 #include <sstream>
+#include <string>
 
+#include "membrane/corners_of_node.hpp"
 #include "membrane/element.hpp"
 
 namespace tanktread::membrane {
 namespace {
 
-/// An element of less than this share of its reference area has collapsed: its shape is no longer resolved,
-/// and its strain energy of most laws is about to diverge.
+/// An element of less than this share of its reference area has collapsed: it resolves nothing any more, and
+/// the stress of laws that resist a change of area is about to overflow.
 constexpr double least_area_ratio = 1e-3;
 
-/// For every node the element corners that meet in it (3 element + corner), in ascending order: the fixed
-/// order in which their forces are summed.
-struct CornersOfNode {
-  std::vector<int> begin, corner;
+/// Elements go through the law in blocks of this size, whatever the number of threads.
+constexpr Eigen::Index block_size = 64;
 
-  CornersOfNode(const Eigen::Matrix3Xi& triangles, Eigen::Index n_nodes)
-      : begin(n_nodes + 1, 0), corner(triangles.size()) {
-    for (Eigen::Index k = 0; k < triangles.size(); ++k) ++begin[triangles.data()[k] + 1];
-    for (Eigen::Index node = 0; node < n_nodes; ++node) begin[node + 1] += begin[node];
-    auto next = begin;
-    for (int k = 0; k < triangles.size(); ++k) corner[next[triangles.data()[k]]++] = k;
-  }
+struct ElementBlock {
+  Eigen::Index begin = 0, size = 0;  ///< first element, number of elements
+  std::array<SurfaceGradient, block_size> gradient;
+  std::array<Eigen::Matrix2d, block_size> cauchy_green;
+  std::array<Invariants, block_size> invariants;
+  std::array<ElasticResponse, block_size> response;
 };
 
 }  // namespace
@@ -38,12 +41,16 @@ struct Membrane::Implementation {
         corners_of_node(reference.triangles, reference.points.cols()),
         positions(reference.points),
         corner_force(3, reference.triangles.size()),
-        normals(3, reference.triangles.cols()) {
-    for (Eigen::Index t = 0; t < reference.triangles.cols(); ++t) {
+        normals(3, reference.triangles.cols()),
+        next_normals(3, reference.triangles.cols()) {
+    for (Eigen::Index t = 0; t < n_elements(); ++t) {
       elements.push_back(reference_element(corners(t)));
       normals.col(t) = area_normal(corners(t));
     }
   }
+
+  Eigen::Index n_elements() const { return reference.triangles.cols(); }
+  Eigen::Index n_blocks() const { return (n_elements() + block_size - 1) / block_size; }
 
   Eigen::Matrix3d corners(Eigen::Index t) const {
     Eigen::Matrix3d result;
@@ -52,74 +59,75 @@ struct Membrane::Implementation {
     return result;
   }
 
-  /// Runs over all elements in parallel; `body(t, corners, F, Cg)`.
-  template <typename Body>
-  void for_each_element(const Body& body) const {
-    const Eigen::Index n = reference.triangles.cols();
-#pragma omp parallel for num_threads(n_threads) schedule(static)
-    for (Eigen::Index t = 0; t < n; ++t) {
-      const Eigen::Matrix3d x = corners(t);
-      const SurfaceGradient gradient = deformation_gradient(x, elements[t]);
-      body(t, x, gradient, cauchy_green(gradient));
+  /// Strain of the elements of block `number`, and what the law answers to it.
+  ElementBlock evaluated(Eigen::Index number) const {
+    ElementBlock block;
+    block.begin = number * block_size;
+    block.size = std::min(block_size, n_elements() - block.begin);
+    for (Eigen::Index k = 0; k < block.size; ++k) {
+      const Eigen::Index t = block.begin + k;
+      block.gradient[k] = deformation_gradient(corners(t), elements[t]);
+      block.cauchy_green[k] = cauchy_green(block.gradient[k]);
+      block.invariants[k] = invariants(block.cauchy_green[k]);
+    }
+    const auto size = static_cast<std::size_t>(block.size);
+    law->evaluate_all(std::span(block.invariants).first(size), std::span(block.response).first(size));
+    return block;
+  }
+
+  /// Writes the forces on the corners of the elements of block `number`.
+  void elastic_corner_forces(Eigen::Index number, Eigen::Matrix3Xd& forces) const {
+    const ElementBlock block = evaluated(number);
+    for (Eigen::Index k = 0; k < block.size; ++k) {
+      const Eigen::Index t = block.begin + k;
+      const auto stress = second_piola_kirchhoff(block.cauchy_green[k], block.response[k]);
+      forces.middleCols<3>(3 * t) = corner_forces(block.gradient[k], stress, elements[t]);
     }
   }
 
-  /// Adds the corner forces into the nodes, each node's in the order of its corners.
-  void gather(const Eigen::Matrix3Xd& forces, Eigen::Ref<Eigen::Matrix3Xd> target) const {
-    const Eigen::Index n = positions.cols();
-    if (target.cols() != n)
-      throw std::invalid_argument("membrane: the force array needs a column for every node");
-#pragma omp parallel for num_threads(n_threads) schedule(static)
-    for (Eigen::Index node = 0; node < n; ++node) {
-      Eigen::Vector3d sum = target.col(node);
-      for (int k = corners_of_node.begin[node]; k < corners_of_node.begin[node + 1]; ++k) {
-        sum += forces.col(corners_of_node.corner[k]);
-      }
-      target.col(node) = sum;
+  /// Takes the normals of the elements of block `number`; returns its first bad element, or `none`.
+  Eigen::Index first_bad_element(Eigen::Index number, Eigen::Index none) {
+    const Eigen::Index begin = number * block_size, end = std::min(begin + block_size, n_elements());
+    Eigen::Index bad = none;
+    for (Eigen::Index t = begin; t < end; ++t) {
+      const Eigen::Vector3d normal = area_normal(corners(t));
+      next_normals.col(t) = normal;
+      const double area = 0.5 * normal.norm();  // not finite as soon as one position is not
+      const bool good = area >= least_area_ratio * elements[t].area && std::isfinite(area) &&
+                        normal.dot(normals.col(t)) > 0;
+      if (!good) bad = std::min(bad, t);
+    }
+    return bad;
+  }
+
+  void require_column_per_node(const std::string& what, Eigen::Index n_columns) const {
+    if (n_columns != positions.cols()) {
+      throw std::invalid_argument("membrane: " + what + " has " + std::to_string(n_columns) +
+                                  " columns, must have one for each of the " +
+                                  std::to_string(positions.cols()) + " nodes");
     }
   }
 
   /// Says what is wrong with an element that has inverted.
   [[noreturn]] void report(Eigen::Index t) const {
     const Eigen::Matrix3d x = corners(t);
-    const Eigen::Vector3d centre = x.rowwise().mean();
     const double ratio = 0.5 * area_normal(x).norm() / elements[t].area;
     std::ostringstream message;
-    message << "element " << t << " (nodes " << reference.triangles.col(t).transpose() << ") at ("
-            << centre.transpose() << ") ";
-    if (!x.allFinite()) {
+    message << "membrane element " << t << " (nodes " << reference.triangles.col(t).transpose() << ") at ("
+            << x.rowwise().mean().transpose() << ") ";
+    if (!std::isfinite(ratio)) {
       message << "has a position that is not finite";
-    } else if (!(ratio >= least_area_ratio)) {
+    } else if (ratio < least_area_ratio) {
       message << "has collapsed: its area is " << ratio << " of its reference area, at least "
               << least_area_ratio << " is allowed";
     } else {
-      message << "has turned inside out: its normal turned by more than a right angle since the last step";
+      const double cosine = area_normal(x).normalized().dot(normals.col(t).normalized());
+      message << "has turned inside out: its normal turned by "
+              << std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi
+              << " degrees since the last step, less than 90 are allowed";
     }
+    message << "; a shorter time step or a finer mesh may help";
     throw InvertedElement(message.str());
-  }
-
-  /// Checks every element, then takes the present normals as the ones to compare with next time.
-  void check_elements() {
-    const Eigen::Index n = reference.triangles.cols();
-    Eigen::Index first_bad = n;
-#pragma omp parallel for num_threads(n_threads) schedule(static) reduction(min : first_bad)
-    for (Eigen::Index t = 0; t < n; ++t) {
-      const Eigen::Vector3d normal = area_normal(corners(t));
-      const bool good =
-          0.5 * normal.norm() >= least_area_ratio * elements[t].area && normal.dot(normals.col(t)) > 0;
-      if (!good) first_bad = std::min(first_bad, t);
-    }
-    if (first_bad < n) report(first_bad);
-#pragma omp parallel for num_threads(n_threads) schedule(static)
-    for (Eigen::Index t = 0; t < n; ++t) normals.col(t) = area_normal(corners(t));
-  }
-
-  void elastic_corner_forces(Eigen::Matrix3Xd& forces) const {
-    for_each_element([&](Eigen::Index t, const Eigen::Matrix3d&, const SurfaceGradient& gradient,
-                         const Eigen::Matrix2d& c) {
-      const auto stress = second_piola_kirchhoff(c, law->evaluate(invariants(c)));
-      forces.middleCols<3>(3 * t) = corner_forces(gradient, stress, elements[t]);
-    });
   }
 
   int n_threads;
@@ -130,6 +138,7 @@ struct Membrane::Implementation {
   Eigen::Matrix3Xd positions;
   Eigen::Matrix3Xd corner_force;  ///< scratch, a column a corner
   Eigen::Matrix3Xd normals;       ///< twice area times normal at the last add_forces()
+  Eigen::Matrix3Xd next_normals;  ///< scratch, those of the call that is running
 };
 
 Membrane::Membrane(TriangleMesh reference, std::shared_ptr<const ElasticLaw> law, int threads) {
@@ -160,52 +169,86 @@ const Eigen::Matrix3Xd& Membrane::positions() const {
 }
 
 void Membrane::set_positions(const Eigen::Ref<const Eigen::Matrix3Xd>& positions) {
-  if (positions.cols() != n_nodes())
-    throw std::invalid_argument("membrane: positions need a column for every node");
+  implementation_->require_column_per_node("the position array", positions.cols());
   implementation_->positions = positions;
 }
 
 void Membrane::add_forces(Eigen::Ref<Eigen::Matrix3Xd> force) {
-  implementation_->check_elements();
-  implementation_->elastic_corner_forces(implementation_->corner_force);
-  implementation_->gather(implementation_->corner_force, force);
+  auto& self = *implementation_;
+  self.require_column_per_node("the force array", force.cols());
+  const Eigen::Index n_blocks = self.n_blocks(), none = self.n_elements();
+  Eigen::Index first_bad = none;
+#pragma omp parallel num_threads(self.n_threads)
+  {
+#pragma omp for schedule(static) reduction(min : first_bad)
+    for (Eigen::Index block = 0; block < n_blocks; ++block) {
+      first_bad = std::min(first_bad, self.first_bad_element(block, none));
+      self.elastic_corner_forces(block, self.corner_force);
+    }
+    // All threads read the same here: the loop above ends with a barrier.
+    if (first_bad == none) {
+#pragma omp for schedule(static)
+      for (Eigen::Index node = 0; node < force.cols(); ++node) {
+        force.col(node) += self.corners_of_node.sum(self.corner_force, node);
+      }
+    }
+  }
+  if (first_bad != none) self.report(first_bad);
+  self.normals.swap(self.next_normals);
 }
 
 void Membrane::add_elastic_forces(Eigen::Ref<Eigen::Matrix3Xd> force) const {
-  Eigen::Matrix3Xd forces(3, 3 * n_triangles());
-  implementation_->elastic_corner_forces(forces);
-  implementation_->gather(forces, force);
+  const auto& self = *implementation_;
+  self.require_column_per_node("the force array", force.cols());
+  Eigen::Matrix3Xd corner_force(3, 3 * n_triangles());
+#pragma omp parallel num_threads(self.n_threads)
+  {
+#pragma omp for schedule(static)
+    for (Eigen::Index block = 0; block < self.n_blocks(); ++block) {
+      self.elastic_corner_forces(block, corner_force);
+    }
+#pragma omp for schedule(static)
+    for (Eigen::Index node = 0; node < force.cols(); ++node) {
+      force.col(node) += self.corners_of_node.sum(corner_force, node);
+    }
+  }
 }
 
 double Membrane::elastic_energy() const {
+  const auto& self = *implementation_;
   Eigen::VectorXd energy(n_triangles());
-  implementation_->for_each_element(
-      [&](Eigen::Index t, const Eigen::Matrix3d&, const SurfaceGradient&, const Eigen::Matrix2d& c) {
-        energy[t] = implementation_->elements[t].area * implementation_->law->evaluate(invariants(c)).energy;
-      });
-  double sum = 0;  // in order, so that it does not depend on the vector width either
-  for (const double e : energy) sum += e;
+#pragma omp parallel for num_threads(self.n_threads) schedule(static)
+  for (Eigen::Index number = 0; number < self.n_blocks(); ++number) {
+    const ElementBlock block = self.evaluated(number);
+    for (Eigen::Index k = 0; k < block.size; ++k) {
+      const Eigen::Index t = block.begin + k;
+      energy[t] = self.elements[t].area * block.response[k].energy;
+    }
+  }
+  double sum = 0;
+  for (const double e : energy) sum += e;  // one after the other: no thread count changes the order
   return sum;
 }
 
 ElementFields Membrane::element_fields() const {
+  const auto& self = *implementation_;
   ElementFields fields;
   fields.principal_stretches.resize(2, n_triangles());
   fields.stress.resize(9, n_triangles());
   fields.area_ratio.resize(n_triangles());
-  implementation_->for_each_element(
-      [&](Eigen::Index t, const Eigen::Matrix3d&, const SurfaceGradient& gradient, const Eigen::Matrix2d& c) {
-        const double mean = 0.5 * c.trace();
-        const double difference = std::hypot(0.5 * (c(0, 0) - c(1, 1)), c(0, 1));
-        const double determinant = c.determinant();
-        // The smaller square from the product, not from a difference that loses digits.
-        fields.principal_stretches.col(t) << std::sqrt(mean + difference),
-            std::sqrt(determinant / (mean + difference));
-        const auto stress = second_piola_kirchhoff(c, implementation_->law->evaluate(invariants(c)));
-        const Eigen::Matrix3d in_space = cauchy_stress(gradient, stress);
-        for (int k = 0; k < 9; ++k) fields.stress(k, t) = in_space(k / 3, k % 3);
-        fields.area_ratio[t] = std::sqrt(determinant);
-      });
+#pragma omp parallel for num_threads(self.n_threads) schedule(static)
+  for (Eigen::Index number = 0; number < self.n_blocks(); ++number) {
+    const ElementBlock block = self.evaluated(number);
+    for (Eigen::Index k = 0; k < block.size; ++k) {
+      const Eigen::Index t = block.begin + k;
+      const Eigen::Matrix2d& c = block.cauchy_green[k];
+      const auto stress = second_piola_kirchhoff(c, block.response[k]);
+      const Eigen::Matrix3d in_space = cauchy_stress(block.gradient[k], stress);
+      for (int i = 0; i < 9; ++i) fields.stress(i, t) = in_space(i / 3, i % 3);
+      fields.principal_stretches.col(t) = principal_stretches(c);
+      fields.area_ratio[t] = std::sqrt(c.determinant());
+    }
+  }
   return fields;
 }
 

@@ -21,8 +21,8 @@ class InvertedElement : public std::runtime_error {
 /// Results a person looks at, one column (or entry) an element.
 struct ElementFields {
   Eigen::Matrix2Xd principal_stretches;  ///< lambda1 >= lambda2
-  Eigen::Matrix<double, 9, Eigen::Dynamic>
-      stress;                  ///< Cauchy stress tensor in space (row by row), force per length
+  /// Cauchy stress tensor in space (row by row), force per length.
+  Eigen::Matrix<double, 9, Eigen::Dynamic> stress;
   Eigen::VectorXd area_ratio;  ///< current over reference area
 };
 
@@ -46,15 +46,17 @@ class Membrane {
 
   /// Current positions, 3 x n_nodes.
   const Eigen::Matrix3Xd& positions() const;
+  /// @throws std::invalid_argument if the number of columns is not n_nodes()
   void set_positions(const Eigen::Ref<const Eigen::Matrix3Xd>& positions);
 
   /// Adds the nodal forces at the present positions into `force` (3 x n_nodes).
-  /// @throws InvertedElement if an element's area has collapsed, or its normal turned by more than a right
-  /// angle
-  ///         since the last call (the first call compares with the reference), or a position is not finite
+  /// @throws InvertedElement if an element has less than a thousandth of its reference area, its normal has
+  /// turned by a right angle or more since the last call (the first call compares with the reference), or a
+  /// position is not finite; the message names the first such element, and `force` is untouched then
+  /// @throws std::invalid_argument if `force` has another number of columns
   void add_forces(Eigen::Ref<Eigen::Matrix3Xd> force);
 
-  /// The elastic part alone, for output.
+  /// The elastic part alone, for output. It checks no element.
   void add_elastic_forces(Eigen::Ref<Eigen::Matrix3Xd> force) const;
 
   /// Sum over elements of A0 W.
@@ -62,8 +64,8 @@ class Membrane {
 
   ElementFields element_fields() const;
 
-  /// Everything beyond positions that a restart needs (history of viscous laws, element normals ...), one
-  /// flat array.
+  /// Everything beyond positions that a restart needs, one flat array: now the 3 n_triangles components of
+  /// the element normals at the last add_forces().
   std::vector<double> history() const;
   /// @throws std::invalid_argument if the size is wrong
   void restore_history(const std::vector<double>& history);

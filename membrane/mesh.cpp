@@ -130,8 +130,10 @@ void measure_edges(const TriangleMesh& mesh, MeshReport& report) {
 TriangleMesh icosphere(int level, double radius, const Eigen::Vector3d& centre) {
   if (level < 0 || level > 8)
     throw std::invalid_argument("icosphere: level " + std::to_string(level) + " is outside 0 .. 8");
-  if (!(radius > 0) || !std::isfinite(radius))
-    throw std::invalid_argument("icosphere: the radius must be positive");
+  if (!(radius > 0) || !std::isfinite(radius)) {
+    throw std::invalid_argument("icosphere: the radius is " + std::to_string(radius) +
+                                ", must be positive and finite");
+  }
   auto mesh = icosahedron();
   for (int k = 0; k < level; ++k) mesh = subdivided(mesh);
   mesh.points = (radius * mesh.points).colwise() + centre;
@@ -176,6 +178,12 @@ std::vector<std::string> defects(const MeshReport& report) {
   if (report.closed && report.consistent_winding && !(report.volume > 0)) {
     found.push_back("the surface is inside out (volume " + std::to_string(report.volume) +
                     "); reverse every triangle");
+  }
+  if (report.closed && report.consistent_winding && report.euler_characteristic != 2) {
+    found.push_back("the surface is not one sphere (nodes - edges + triangles is " +
+                    std::to_string(report.euler_characteristic) +
+                    ", must be 2); give each closed surface a mesh of its own, fill handles, part surfaces "
+                    "that share a node");
   }
   if (report.n_degenerate > 0) {
     found.push_back(std::to_string(report.n_degenerate) +

@@ -15,7 +15,8 @@ struct TriangleMesh {
 };
 
 /// A sphere from an icosahedron, each triangle split in four `level` times, nodes pushed out to the sphere:
-/// 20 * 4^level triangles, 10 * 4^level + 2 nodes. Level 3 is the thesis's Mesh #2, 4 its #3, 5 its #4.
+/// 20 * 4^level triangles, 10 * 4^level + 2 nodes; the nodes of a level are the first ones of the next level.
+/// Level 3 is the thesis's Mesh #2, 4 its #3, 5 its #4.
 /// @throws std::invalid_argument unless 0 <= level <= 8 and radius > 0
 TriangleMesh icosphere(int level, double radius, const Eigen::Vector3d& centre = Eigen::Vector3d::Zero());
 
@@ -23,9 +24,9 @@ TriangleMesh icosphere(int level, double radius, const Eigen::Vector3d& centre =
 struct MeshReport {
   int n_nodes = 0, n_triangles = 0, n_edges = 0;
   double edge_min = 0, edge_mean = 0, edge_max = 0;
-  double area = 0;
+  double area = 0;                  ///< of the triangles
   double volume = 0;                ///< enclosed, by the divergence theorem; negative if wound inside out
-  Eigen::Vector3d centre;           ///< centroid of the enclosed volume
+  Eigen::Vector3d centre;           ///< centroid of the enclosed volume; without meaning if open
   bool closed = false;              ///< every edge has exactly two triangles
   bool consistent_winding = false;  ///< neighbours run through their shared edge in opposite directions
   bool outward = false;             ///< closed, consistently wound, volume > 0
@@ -33,6 +34,8 @@ struct MeshReport {
   int n_degenerate = 0;             ///< triangles whose area is below 1e-12 of edge_max squared
   int euler_characteristic = 0;     ///< nodes - edges + triangles; 2 for a sphere
 };
+/// @throws std::invalid_argument if the mesh has no triangle, a triangle names a node that does not exist, or
+/// a point is not finite
 MeshReport inspect(const TriangleMesh& mesh);
 
 /// Reasons why the mesh cannot be a capsule's membrane, each a sentence with the fix; empty if it can.

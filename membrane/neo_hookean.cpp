@@ -5,7 +5,7 @@
 namespace tanktread::membrane {
 namespace {
 
-class NeoHookean final : public ElasticLaw {
+class NeoHookean final : public ElasticLawOf<NeoHookean> {
  public:
   explicit NeoHookean(double shear_modulus) : shear_modulus_(shear_modulus) {}
 

@@ -1,12 +1,17 @@
 #include "membrane/shape.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
 namespace tanktread::membrane {
+namespace {
+
+/// Below this D a section is a circle. The moments of 20480 triangles carry a rounding of some 1e-14.
+constexpr double least_deformation = 1e-12;
+
+}  // namespace
 
 VolumeMoments volume_moments(const Eigen::Ref<const Eigen::Matrix3Xd>& points,
                              const Eigen::Ref<const Eigen::Matrix3Xi>& triangles) {
@@ -54,19 +59,21 @@ Deformation deformation(const VolumeMoments& moments, int flow_axis, int gradien
   }
   const int vorticity_axis = 3 - flow_axis - gradient_axis;
   const auto& m = moments.second_moment;
-  Eigen::Matrix2d plane;
-  plane << m(flow_axis, flow_axis), m(flow_axis, gradient_axis), m(gradient_axis, flow_axis),
-      m(gradient_axis, gradient_axis);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(plane);
+  const double flow = m(flow_axis, flow_axis), gradient = m(gradient_axis, gradient_axis);
+  const double mixed = m(flow_axis, gradient_axis);
+  const double mean = 0.5 * (flow + gradient), half_difference = 0.5 * (flow - gradient);
+  // Mohr's circle: the principal moments are mean +- radius, at half the angle of (half_difference, mixed).
+  const double radius = std::hypot(half_difference, mixed);
   const auto semi_axis = [&](double moment) { return std::sqrt(5.0 * moment / moments.volume); };
   Deformation result;
-  result.width = semi_axis(solver.eigenvalues()[0]);
-  result.length = semi_axis(solver.eigenvalues()[1]);
+  result.length = semi_axis(mean + radius);
+  result.width = semi_axis(mean - radius);
   result.breadth = semi_axis(m(vorticity_axis, vorticity_axis));
   result.deformation = (result.length - result.width) / (result.length + result.width);
-  Eigen::Vector2d direction = solver.eigenvectors().col(1);
-  if (direction[0] < 0 || (direction[0] == 0 && direction[1] < 0)) direction = -direction;
-  result.inclination_deg = std::atan2(direction[1], direction[0]) * 180.0 / std::numbers::pi;
+  if (result.deformation > least_deformation) {
+    result.inclination_deg = 0.5 * std::atan2(mixed, half_difference) * 180.0 / std::numbers::pi;
+    if (result.inclination_deg <= -90.0) result.inclination_deg += 180.0;
+  }
   return result;
 }
 

@@ -9,26 +9,31 @@ namespace tanktread::membrane {
 
 /// Moments of the enclosed volume by surface integrals (divergence theorem; exact for flat triangles).
 struct VolumeMoments {
-  double volume = 0;
-  Eigen::Vector3d centroid;
+  double volume = 0;              ///< negative if the triangles are wound inside out
+  Eigen::Vector3d centroid;       ///< not finite if the volume is zero
   Eigen::Matrix3d second_moment;  ///< integral of (x - centroid)(x - centroid)^T over the volume
 };
+/// @param points 3 x n_nodes
+/// @param triangles 3 x n_triangles, at least one; a closed surface, counter-clockwise seen from outside
 VolumeMoments volume_moments(const Eigen::Ref<const Eigen::Matrix3Xd>& points,
                              const Eigen::Ref<const Eigen::Matrix3Xi>& triangles);
 
 double surface_area(const Eigen::Ref<const Eigen::Matrix3Xd>& points,
                     const Eigen::Ref<const Eigen::Matrix3Xi>& triangles);
 
-/// The ellipsoid of the same volume moments, seen in the shear plane (flow axis, gradient axis).
-/// For a solid ellipsoid the second moment along a semi-axis a is V a^2 / 5.
+/// The ellipsoid of the same volume moments, seen in the shear plane (flow axis, gradient axis). A solid
+/// ellipsoid of semi-axis a has the second moment V a^2/5 along it, so a semi-axis is sqrt(5 m/V) of a
+/// principal second moment m.
 struct Deformation {
-  double deformation = 0;      ///< D = (length - width)/(length + width)
+  double deformation = 0;      ///< D = (length - width)/(length + width) (Taylor)
   double inclination_deg = 0;  ///< of the long axis to the flow axis, in (-90, 90]; 0 for a circle
-  double length = 0;   ///< long semi-axis in the shear plane (twice the in-plane eigenvalue 5 m / V, rooted)
-  double width = 0;    ///< short semi-axis in the shear plane
-  double breadth = 0;  ///< semi-axis along the vorticity axis
+  double length = 0;           ///< long semi-axis in the shear plane
+  double width = 0;            ///< short semi-axis in the shear plane
+  double breadth = 0;          ///< semi-axis along the vorticity axis
 };
+/// A section rounder than D = 1e-12 counts as a circle: its long axis would be one of rounding.
 /// @param flow_axis, gradient_axis 0, 1, 2 and different; the vorticity axis is the third
+/// @throws std::invalid_argument for other axes
 Deformation deformation(const VolumeMoments& moments, int flow_axis, int gradient_axis);
 
 }  // namespace tanktread::membrane

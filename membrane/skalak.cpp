@@ -5,7 +5,7 @@
 namespace tanktread::membrane {
 namespace {
 
-class Skalak final : public ElasticLaw {
+class Skalak final : public ElasticLawOf<Skalak> {
  public:
   Skalak(double skalak_modulus, double area_ratio)
       : shear_(skalak_modulus / 8.0), area_(area_ratio * skalak_modulus / 8.0) {}
