@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
                  {"si.radius_m=1e-6"},
                  {"si.shear_rate_per_s", "is missing", "contradicts [si]", "exactly one"}},
         BadInput{"table_for_value", {"flow=3"}, {"flow", "must be a table"}}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& bad) { return std::string(bad.param.name); });
 
 TEST(CaseFile, ReportsAllProblemsWithTheirLines) {
   const auto message = refusal("[flow]\nbox = [60, 60]\ncolision = \"trt\"\n[[capsule]]\nradius = -1\n");
