@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <vtkCellData.h>
 #include <vtkImageData.h>
 #include <vtkMatrix3x3.h>
@@ -35,6 +36,11 @@ void check_grid(const GridPacket& packet, const path& file) {
 }
 
 void check_frame(vtkImageData& image, const path& file) {
+  const int* extent = image.GetExtent();
+  if (extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5]) {
+    throw FileError(fmt::format("{}: has no nodes: the grid's extent is {}", file.string(),
+                                fmt::join(extent, extent + 6, " ")));
+  }
   if (!image.GetDirectionMatrix()->IsIdentity()) {
     throw FileError(
         fmt::format("{}: the grid's axes are turned (Direction is not the identity); resample it along "

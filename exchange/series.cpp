@@ -10,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "exchange/file_head.hpp"
 #include "exchange/vtk_calls.hpp"
 #include "exchange/vtk_files.hpp"
 
@@ -81,20 +82,14 @@ SeriesEntry to_entry(vtkXMLDataElement& element, int number, const path& file) {
 }
 
 std::vector<SeriesEntry> parse(std::istream& stream, const path& file) {
-  VtkMessages messages;
   vtkNew<vtkXMLDataParser> parser;
-  messages.listen_to(parser);
-  parser->SetStream(&stream);
-  const bool parsed = parser->Parse() == 1;
-  if (!parsed || !messages.text().empty()) {
-    throw FileError(fmt::format("{}: cannot be read: {}", file.string(), messages.text()));
-  }
+  parse_head(*parser, stream, file);
   auto* root = parser->GetRootElement();
   const char* type = root->GetAttribute("type");
   auto* collection = root->FindNestedElementWithName("Collection");
   if (type == nullptr || std::strcmp(type, "Collection") != 0 || collection == nullptr) {
     throw FileError(fmt::format("{}: is not a .pvd series: it is of type {}, expected Collection",
-                                file.string(), type ? type : "unknown"));
+                                file.string(), type != nullptr ? type : "unknown"));
   }
   std::vector<SeriesEntry> entries;
   for (int k = 0; k < collection->GetNumberOfNestedElements(); ++k) {

@@ -7,11 +7,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::exchange {
 namespace {
+
+/// VTK puts names into its XML as they are, which a reader cannot read if they hold XML's own characters.
+bool is_safe_in_names(char c) {
+  return c >= ' ' && c <= '~' && std::string_view("<>&\"").find(c) == std::string_view::npos;
+}
 
 void check_array(const Array& array, std::int64_t n_tuples, const std::string& kind,
                  const std::filesystem::path& file) {
@@ -20,6 +26,9 @@ void check_array(const Array& array, std::int64_t n_tuples, const std::string& k
         fmt::format("{}: cannot be written: {} array '{}' {}", file.string(), kind, array.name, what));
   };
   if (array.name.empty()) fail("has no name");
+  if (!std::all_of(array.name.begin(), array.name.end(), is_safe_in_names)) {
+    fail("has a character in its name that VTK would write wrongly; use printable ASCII without < > & \"");
+  }
   if (array.components < 1) fail(fmt::format("has {} components, at least 1 is needed", array.components));
   const auto n_values = static_cast<std::int64_t>(array.values.size());
   if (n_tuples == any_size && n_values % array.components != 0) {

@@ -5,10 +5,10 @@
 #include <vtkCommand.h>
 #include <vtkDataCompressor.h>
 #include <vtkExecutive.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 #include <vtkXMLDataParser.h>
-#include <vtkXMLFileReadTester.h>
 #include <vtkXMLReader.h>
 #include <vtkXMLWriter.h>
 
@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "exchange/atomic_file.hpp"
+#include "exchange/file_head.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::exchange {
@@ -43,7 +44,9 @@ std::string tidy(const std::string& message) {
 class Collector : public vtkCommand {
  public:
   static Collector* New() { return new Collector; }
-  void Execute(vtkObject*, unsigned long, void* text) override {
+  void Execute(vtkObject* caller, unsigned long, void* text) override {
+    // The pipeline only repeats, at length, that a reader or writer failed.
+    if (vtkExecutive::SafeDownCast(caller) != nullptr && !messages.empty()) return;
     messages.push_back(tidy(static_cast<const char*>(text)));
   }
   std::vector<std::string> messages;
@@ -62,21 +65,6 @@ std::string tail(const fs::path& file) {
   return text;
 }
 
-void check_type(const fs::path& file, const std::string& type) {
-  vtkNew<vtkXMLFileReadTester> tester;
-  tester->SetFileName(file.c_str());
-  if (tester->TestReadFile() == 0) {
-    throw FileError(fmt::format("{}: is not a VTK XML file (expected one of type {})", file.string(), type));
-  }
-  const std::string found = tester->GetFileDataType() ? tester->GetFileDataType() : "unknown";
-  if (found != type) {
-    throw FileError(
-        fmt::format("{}: is a VTK file of type {}, expected {}; convert it first, as with ParaView or "
-                    "meshio",
-                    file.string(), found, type));
-  }
-}
-
 /// Throws what VTK said or, if it failed without a word, its error code.
 void check_outcome(const VtkMessages& messages, unsigned long error_code, const fs::path& file,
                    const char* what) {
@@ -86,10 +74,30 @@ void check_outcome(const VtkMessages& messages, unsigned long error_code, const 
   throw FileError(fmt::format("{}: {}: {}", file.string(), what, text));
 }
 
+/// Keeps VTK's logger off the terminal while it lives.
+class SilentLogger {
+ public:
+  SilentLogger() {
+    const auto before = vtkLogger::GetCurrentVerbosityCutoff();
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+    const auto others = vtkLogger::GetCurrentVerbosityCutoff();
+    // The cutoff is the most talkative of terminal and log files: if files drown the terminal, take VTK's
+    // default.
+    terminal_ = before > others ? before : std::min(before, vtkLogger::VERBOSITY_INFO);
+  }
+  ~SilentLogger() { vtkLogger::SetStderrVerbosity(terminal_); }
+  SilentLogger(const SilentLogger&) = delete;
+  SilentLogger& operator=(const SilentLogger&) = delete;
+
+ private:
+  vtkLogger::Verbosity terminal_;
+};
+
 }  // namespace
 
 struct VtkMessages::State {
   std::lock_guard<std::mutex> lock{one_at_a_time};
+  SilentLogger silence;
   int display = vtkObject::GetGlobalWarningDisplay();
   vtkNew<Collector> collector;
 };
@@ -143,7 +151,7 @@ void write_with(vtkXMLWriter& writer, vtkDataObject& data, const fs::path& file)
 
 void read_with(vtkXMLReader& reader, const fs::path& file, const std::string& type) {
   check_whole(file);
-  check_type(file, type);
+  check_head(file, type);
   VtkMessages messages;
   messages.listen_to(&reader);
   messages.listen_to(reader.GetExecutive());

@@ -12,8 +12,8 @@ class vtkXMLWriter;
 
 namespace tanktread::exchange {
 
-/// Gathers what VTK has to say while it lives, so that nothing goes to the terminal and nothing is missed.
-/// One at a time: others wait, since whether VTK speaks at all is one switch for the whole process.
+/// Gathers what VTK has to say while it lives; nothing goes to the terminal, not even from VTK's inner
+/// objects. One at a time: others wait, since whether VTK speaks at all is one switch for the whole process.
 class VtkMessages {
  public:
   VtkMessages();

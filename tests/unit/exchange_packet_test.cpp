@@ -89,7 +89,7 @@ TEST(Surface, KeepsASurfaceWithoutTriangles) {
 TEST(Surface, KeepsOddNames) {
   auto packet = sample_surface();
   packet.field_data = {
-      {"a <b> & \"c\" 'd'", 1, {1}}, {"\xc3\xa4\xce\xbb", 1, {2}}, {"with  two spaces", 1, {3}}};
+      {"it's (a) [name]; 100 % {odd}", 1, {1}}, {" with  spaces ", 1, {2}}, {"#~^|/\\*?!", 1, {3}}};
   EXPECT_EQ(round_trip(packet), "");
 }
 
@@ -193,6 +193,12 @@ TEST(Surface, RefusesToWriteArraysThatDoNotFit) {
   EXPECT_THAT(error([](SurfacePacket& p) { p.cell_data[2].components = 0; }), HasSubstr("has 0 components"));
   EXPECT_THAT(error([](SurfacePacket& p) { p.cell_data[2].name = ""; }),
               HasSubstr("cell data array '' has no name"));
+  for (const char* name : {"a<b", "a>b", "a&b", "a\"b", "a\nb", "\xc3\xa4"}) {
+    auto packet = sample_surface();
+    packet.cell_data[0].name = name;
+    EXPECT_THAT(write_error<SurfacePacket>(packet, [](SurfacePacket&) {}), HasSubstr("use printable ASCII"))
+        << name;
+  }
   EXPECT_THAT(error([](SurfacePacket& p) { p.point_data[2].name = "velocity"; }),
               HasSubstr("two point data arrays are named 'velocity'"));
 }

@@ -133,17 +133,30 @@ std::string read_text(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-std::string error_of(const std::function<void()>& call) {
-  std::string message = "(no error)";
-  ::testing::internal::CaptureStdout();
-  ::testing::internal::CaptureStderr();
+void put_text(const fs::path& file, const std::string& text) {
+  fs::remove(file);  // some file systems wait for the disk when a file is cut and written anew
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  if (!stream.flush()) throw std::runtime_error(file.string() + " cannot be written");
+}
+
+std::string message_of(const std::function<void()>& call) {
   try {
     call();
   } catch (const FileError& error) {
-    message = error.what();
+    return error.what();
   }
-  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
-  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
+  return "(no error)";
+}
+
+std::string error_of(const std::function<void()>& call) {
+  ::testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStderr();
+  const auto message = message_of(call);
+  const auto errors = ::testing::internal::GetCapturedStderr(),
+             output = ::testing::internal::GetCapturedStdout();
+  EXPECT_EQ(errors, "");
+  EXPECT_EQ(output, "");
   return message;
 }
 

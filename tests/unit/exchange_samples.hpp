@@ -48,9 +48,12 @@ std::string difference(const SurfacePacket& a, const SurfacePacket& b);
 std::string difference(const GridPacket& a, const GridPacket& b);
 
 std::string read_text(const std::filesystem::path& file);
+/// Without the care of write_text, which waits for the disk each time.
+void put_text(const std::filesystem::path& file, const std::string& text);
 
-/// The message of the FileError that `call` throws; "(no error)" if none. Fails the test if anything is
-/// printed.
+/// The message of the FileError that `call` throws; "(no error)" if none.
+std::string message_of(const std::function<void()>& call);
+/// Likewise; fails the test if anything is printed.
 std::string error_of(const std::function<void()>& call);
 
 }  // namespace tanktread::exchange::testing

@@ -1,0 +1,26 @@
+// What the XML at the head of a VTK file says, looked at before VTK's readers trust it.
+#pragma once
+
+#include <filesystem>
+#include <istream>
+#include <string>
+
+class vtkXMLDataParser;
+
+namespace tanktread::exchange {
+
+/// Parses XML up to its appended data, if it has any. @throws FileError with the parser's words
+void parse_head(vtkXMLDataParser& parser, std::istream& stream, const std::filesystem::path& file);
+
+/// Checks what VTK's readers do not:
+/// - the file is one of VTK's type `type` ("UnstructuredGrid", "ImageData");
+/// - each array is of a known type of number or text (a reader of VTK 9.1 crashes otherwise);
+/// - appended raw data, as write_surface and write_grid use, lie where the head says. There each array begins
+/// at
+///   an offset with its length in bytes, and ends where the next begins, the last where XML goes on. With
+///   bytes missing in between VTK would take other numbers for the array's. Files in other forms are let
+///   through.
+/// @throws FileError
+void check_head(const std::filesystem::path& file, const std::string& type);
+
+}  // namespace tanktread::exchange

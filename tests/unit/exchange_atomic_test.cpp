@@ -1,0 +1,155 @@
+// Writing that fails leaves the old file, no temporary one, and an error that says why.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "tests/unit/exchange_samples.hpp"
+
+namespace tanktread::exchange::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// No file can grow beyond `n_bytes` while this lives: a write that would fails, as on a full disk.
+class FullDisk {
+ public:
+  explicit FullDisk(std::size_t n_bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &old_limit_);
+    const rlimit limit{n_bytes, old_limit_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &old_limit_);
+    std::signal(SIGXFSZ, old_handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  void (*old_handler_)(int);
+  rlimit old_limit_{};
+};
+
+struct Kind {
+  std::string name;
+  std::function<void(const std::filesystem::path&)> write;
+};
+
+/// Each writer, with enough to write that no buffer holds it all; the grid of several of VTK's blocks.
+std::vector<Kind> kinds() {
+  auto grid = sample_grid();
+  grid.nodes = {40, 30, 2};
+  grid.point_data = {{"populations", 19, awkward_numbers(19 * 2400, 0)}};
+  return {{"surface.vtu", [](const auto& file) { write_surface(file, sample_surface()); }},
+          {"grid.vti", [grid](const auto& file) { write_grid(file, grid); }},
+          {"series.pvd",
+           [](const auto& file) {
+             write_series(file, std::vector<SeriesEntry>(100, {1, "a.vtu"}));
+           }},
+          {"text.toml", [](const auto& file) { write_text(file, std::string(20000, 'x')); }}};
+}
+
+TEST(Writing, LeavesOneFileAndNothingElse) {
+  const TemporaryFolder folder;
+  for (const auto& kind : kinds()) kind.write(folder / kind.name);
+  EXPECT_THAT(folder.names(), ElementsAre("grid.vti", "series.pvd", "surface.vtu", "text.toml"));
+  EXPECT_EQ(read_text(folder / "text.toml"), std::string(20000, 'x'));
+}
+
+TEST(Writing, ReplacesAFileThatIsThere) {
+  const TemporaryFolder folder;
+  for (const auto& kind : kinds()) {
+    kind.write(folder / kind.name);
+    const auto expected = read_text(folder / kind.name);
+    put_text(folder / kind.name, "old");
+    kind.write(folder / kind.name);
+    EXPECT_TRUE(read_text(folder / kind.name) == expected) << kind.name;
+  }
+}
+
+TEST(Writing, OnAFullDiskKeepsTheOldFile) {
+  for (const auto& kind : kinds()) {
+    std::uintmax_t size = 0;
+    {
+      const TemporaryFolder folder;
+      kind.write(folder / kind.name);
+      size = std::filesystem::file_size(folder / kind.name);
+    }
+    // Full at once, on the way, and just before the last byte, which is still in a buffer when the file is
+    // closed.
+    for (const std::size_t room : {std::size_t{0}, size / 3, size / 2, size - 1}) {
+      const TemporaryFolder folder;
+      put_text(folder / kind.name, "old");
+      std::string message;
+      {
+        const FullDisk full(room);
+        message = message_of([&] { kind.write(folder / kind.name); });
+      }
+      EXPECT_THAT(message, AllOf(HasSubstr(kind.name + ": cannot be written: "))) << room << " of " << size;
+      EXPECT_EQ(read_text(folder / kind.name), "old") << kind.name << ", " << room << " of " << size;
+      EXPECT_THAT(folder.names(), ElementsAre(kind.name)) << room << " of " << size;
+    }
+    const TemporaryFolder folder;
+    const FullDisk full(size);
+    EXPECT_EQ(message_of([&] { kind.write(folder / kind.name); }), "(no error)") << kind.name;
+  }
+}
+
+TEST(Writing, WhereNothingCanBeWritten) {
+  for (const auto& kind : kinds()) {
+    // Not even root may make files there.
+    EXPECT_THAT(error_of([&] { kind.write("/proc/self/" + kind.name); }),
+                HasSubstr("/proc/self/" + kind.name + ": cannot be written: "))
+        << kind.name;
+  }
+}
+
+TEST(Writing, WhereThereIsNoFolder) {
+  const TemporaryFolder folder;
+  for (const auto& kind : kinds()) {
+    const auto message = error_of([&] { kind.write((folder / "none") / kind.name); });
+    EXPECT_THAT(message, AllOf(HasSubstr(kind.name + ": cannot be written: there is no folder '"),
+                               HasSubstr("make it")));
+  }
+  EXPECT_THAT(folder.names(), IsEmpty());
+}
+
+TEST(Writing, WhereAFolderHasTheName) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "taken");
+  for (const auto& kind : kinds()) {
+    EXPECT_THAT(error_of([&] { kind.write(folder / "taken"); }),
+                HasSubstr("taken: cannot be written: it is a folder"));
+  }
+  EXPECT_THAT(folder.names(), ElementsAre("taken"));
+}
+
+TEST(Writing, IntoTheFolderOneIsIn) {
+  const TemporaryFolder folder;
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(folder / "");
+  for (const auto& kind : kinds()) EXPECT_EQ(message_of([&] { kind.write(kind.name); }), "(no error)");
+  std::filesystem::current_path(before);
+  EXPECT_EQ(folder.names().size(), kinds().size());
+}
+
+TEST(Writing, GivesTheRightsThatTheUserAsksFor) {
+  const TemporaryFolder folder;
+  const auto old = ::umask(027);
+  for (const auto& kind : kinds()) kind.write(folder / kind.name);
+  ::umask(old);
+  for (const auto& kind : kinds()) {
+    EXPECT_EQ(static_cast<unsigned>(std::filesystem::status(folder / kind.name).permissions()), 0640U)
+        << kind.name;
+  }
+}
+
+}  // namespace
+}  // namespace tanktread::exchange::testing
