@@ -113,8 +113,9 @@ struct Membrane::Implementation {
     const Eigen::Matrix3d x = corners(t);
     const double ratio = 0.5 * area_normal(x).norm() / elements[t].area;
     std::ostringstream message;
-    message << "membrane element " << t << " (nodes " << reference.triangles.col(t).transpose() << ") at ("
-            << x.rowwise().mean().transpose() << ") ";
+    const Eigen::IOFormat list(Eigen::StreamPrecision, Eigen::DontAlignCols, ", ");
+    message << "membrane element " << t << " (nodes " << reference.triangles.col(t).transpose().format(list)
+            << ") at (" << x.rowwise().mean().transpose().format(list) << ") ";
     if (!std::isfinite(ratio)) {
       message << "has a position that is not finite";
     } else if (ratio < least_area_ratio) {

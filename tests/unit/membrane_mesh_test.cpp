@@ -1,0 +1,179 @@
+// The icosphere, the measures of a mesh, and the defects that are told apart.
+#include "membrane/mesh.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "unit/membrane_support.hpp"
+
+namespace tanktread::membrane::test {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<std::string> defects_of(const TriangleMesh& mesh) {
+  return defects(inspect(mesh));
+}
+
+TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
+  TriangleMesh both;
+  both.points.resize(3, a.points.cols() + b.points.cols());
+  both.points << a.points, b.points;
+  both.triangles.resize(3, a.triangles.cols() + b.triangles.cols());
+  both.triangles << a.triangles, (b.triangles.array() + static_cast<int>(a.points.cols())).matrix();
+  return both;
+}
+
+TEST(Icosphere, HasTheCountsOfItsLevelAndNoDefect) {
+  int n_triangles = 20;
+  for (int level = 0; level <= 5; ++level, n_triangles *= 4) {
+    const auto report = inspect(icosphere(level, 2.5, {1, 2, 3}));
+    EXPECT_EQ(report.n_triangles, n_triangles);
+    EXPECT_EQ(report.n_nodes, n_triangles / 2 + 2);
+    EXPECT_EQ(report.n_edges, 3 * n_triangles / 2);
+    EXPECT_EQ(report.euler_characteristic, 2);
+    EXPECT_TRUE(report.closed && report.consistent_winding && report.outward);
+    EXPECT_THAT(defects(report), IsEmpty());
+  }
+}
+
+TEST(Icosphere, HasItsNodesOnTheSphereAndAlmostEqualEdges) {
+  const Eigen::Vector3d centre(10, -20, 30);
+  for (int level = 0; level <= 5; ++level) {
+    const auto mesh = icosphere(level, 2.5, centre);
+    // Coordinates of up to 32 round by 32 epsilon/2 each.
+    EXPECT_LT(((mesh.points.colwise() - centre).colwise().norm().array() - 2.5).abs().maxCoeff(),
+              32 * epsilon);
+    const auto report = inspect(mesh);
+    // Of all levels: the longest edges are in the middle of a face of the icosahedron, the shortest at its
+    // corners.
+    EXPECT_LT(report.edge_max / report.edge_min, 1.33);
+    EXPECT_GE(report.edge_mean, report.edge_min * (1 - 100 * epsilon));
+    EXPECT_LE(report.edge_mean, report.edge_max * (1 + 100 * epsilon));
+  }
+}
+
+// Doing it again gives the same bits, and a level begins with the nodes of the level before: no number
+// depends on the order of a hash or of an address.
+TEST(Icosphere, NumbersItsNodesAlwaysAlike) {
+  const auto coarse = icosphere(2, 1), fine = icosphere(3, 1), again = icosphere(3, 1);
+  EXPECT_TRUE((fine.points.array() == again.points.array()).all());
+  EXPECT_TRUE((fine.triangles.array() == again.triangles.array()).all());
+  EXPECT_TRUE((fine.points.leftCols(coarse.points.cols()).array() == coarse.points.array()).all());
+  // The first edge of the first triangle is halved first.
+  const Eigen::Vector3d middle =
+      (coarse.points.col(coarse.triangles(0, 0)) + coarse.points.col(coarse.triangles(1, 0))).normalized();
+  EXPECT_TRUE((fine.points.col(coarse.points.cols()).array() == middle.array()).all());
+}
+
+TEST(Icosphere, RefusesALevelOrRadiusOutOfRange) {
+  EXPECT_THROW(icosphere(-1, 1), std::invalid_argument);
+  EXPECT_THROW(icosphere(9, 1), std::invalid_argument);
+  EXPECT_THROW(icosphere(1, 0), std::invalid_argument);
+  EXPECT_THROW(icosphere(1, std::numeric_limits<double>::infinity()), std::invalid_argument);
+  EXPECT_THROW(icosphere(1, std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
+}
+
+// The icosahedron of circumradius 1: edge a = 1/sin(2 pi/5), area 5 sqrt(3) a^2, volume 5 (3 + sqrt(5))/12
+// a^3.
+TEST(MeshReport, MeasuresTheIcosahedron) {
+  const Eigen::Vector3d centre(4, 5, 6);
+  const auto report = inspect(icosphere(0, 1, centre));
+  const double edge = 1 / std::sin(2 * EIGEN_PI / 5);
+  const double rounding = 100 * epsilon;  // some ten operations on coordinates of up to 7
+  EXPECT_NEAR(report.edge_min, edge, rounding);
+  EXPECT_NEAR(report.edge_mean, edge, rounding);
+  EXPECT_NEAR(report.edge_max, edge, rounding);
+  EXPECT_NEAR(report.area, 5 * std::sqrt(3.0) * edge * edge, 2 * rounding);
+  EXPECT_NEAR(report.volume, 5 * (3 + std::sqrt(5.0)) / 12 * std::pow(edge, 3), 2 * rounding);
+  EXPECT_LT((report.centre - centre).norm(), rounding);
+}
+
+TEST(MeshDefects, FindAMissingTriangle) {
+  auto mesh = icosphere(1, 1);
+  mesh.triangles.conservativeResize(3, mesh.triangles.cols() - 1);
+  EXPECT_THAT(defects_of(mesh), ElementsAre(AllOf(HasSubstr("surface is open"), HasSubstr("close it"))));
+  EXPECT_FALSE(inspect(mesh).closed);
+}
+
+TEST(MeshDefects, FindAFlippedTriangle) {
+  auto mesh = icosphere(1, 1);
+  std::swap(mesh.triangles(0, 7), mesh.triangles(1, 7));
+  EXPECT_THAT(defects_of(mesh),
+              ElementsAre(AllOf(HasSubstr("wound against each other"), HasSubstr("orient"))));
+  EXPECT_TRUE(inspect(mesh).closed);
+  EXPECT_FALSE(inspect(mesh).consistent_winding);
+}
+
+TEST(MeshDefects, FindADuplicateNode) {
+  auto mesh = icosphere(1, 1);
+  mesh.points.conservativeResize(3, mesh.points.cols() + 1);
+  mesh.points.rightCols<1>() = mesh.points.col(mesh.triangles(0, 5));
+  mesh.triangles(0, 5) = static_cast<int>(mesh.points.cols()) - 1;
+  EXPECT_THAT(defects_of(mesh), ElementsAre(HasSubstr("merge duplicate nodes")));
+}
+
+TEST(MeshDefects, FindASurfaceThatIsInsideOut) {
+  const auto mesh = turned_inside_out(icosphere(0, 1));
+  EXPECT_THAT(defects_of(mesh), ElementsAre(AllOf(HasSubstr("inside out (volume -2.536"),
+                                                  HasSubstr("reverse every triangle"))));
+  EXPECT_FALSE(inspect(mesh).outward);
+}
+
+TEST(MeshDefects, FindATriangleWithoutArea) {
+  auto mesh = icosphere(1, 1);
+  mesh.points.col(mesh.triangles(0, 3)) = mesh.points.col(mesh.triangles(1, 3));
+  // Both triangles of that edge lose their area.
+  EXPECT_THAT(defects_of(mesh), ElementsAre(HasSubstr("2 triangles have no area")));
+}
+
+TEST(MeshDefects, FindANodeOfNoTriangle) {
+  auto mesh = icosphere(1, 1);
+  mesh.points.conservativeResize(3, mesh.points.cols() + 2);
+  mesh.points.rightCols<2>().setZero();
+  EXPECT_THAT(defects_of(mesh), ElementsAre(HasSubstr("2 nodes belong to no triangle")));
+  EXPECT_EQ(inspect(mesh).euler_characteristic, 2) << "they are no part of the surface";
+}
+
+TEST(MeshDefects, FindTwoSurfacesInOneMesh) {
+  const auto mesh = joined(icosphere(1, 1), icosphere(0, 1, {5, 0, 0}));
+  EXPECT_THAT(defects_of(mesh),
+              ElementsAre(AllOf(HasSubstr("not one sphere"), HasSubstr("is 4, must be 2"))));
+}
+
+TEST(MeshDefects, FindTwoSpheresThatShareANode) {
+  auto mesh = joined(icosphere(0, 1), icosphere(0, 1, {5, 0, 0}));
+  for (int k = 0; k < mesh.triangles.size(); ++k)
+    if (mesh.triangles.data()[k] == 23) mesh.triangles.data()[k] = 0;
+  mesh.points.conservativeResize(3, 23);
+  EXPECT_THAT(defects_of(mesh), ElementsAre(HasSubstr("is 3, must be 2")));
+}
+
+TEST(MeshReport, RefusesWhatIsNoMesh) {
+  const auto message = [](const TriangleMesh& mesh) -> std::string {
+    try {
+      inspect(mesh);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "nothing was thrown";
+  };
+  auto mesh = icosphere(0, 1);
+  mesh.triangles(2, 4) = 12;
+  EXPECT_THAT(message(mesh), HasSubstr("names a node outside 0 .. 11"));
+  mesh.triangles(2, 4) = -1;
+  EXPECT_THAT(message(mesh), HasSubstr("names a node outside 0 .. 11"));
+  mesh = icosphere(0, 1);
+  mesh.points(1, 3) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(message(mesh), HasSubstr("not finite"));
+  mesh.triangles.resize(3, 0);
+  EXPECT_THAT(message(mesh), HasSubstr("no triangles"));
+}
+
+}  // namespace
+}  // namespace tanktread::membrane::test
