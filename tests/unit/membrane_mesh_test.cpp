@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "unit/membrane_support.hpp"
 
@@ -84,7 +85,7 @@ TEST(Icosphere, RefusesALevelOrRadiusOutOfRange) {
 TEST(MeshReport, MeasuresTheIcosahedron) {
   const Eigen::Vector3d centre(4, 5, 6);
   const auto report = inspect(icosphere(0, 1, centre));
-  const double edge = 1 / std::sin(2 * EIGEN_PI / 5);
+  const double edge = 1 / std::sin(2 * std::numbers::pi / 5);
   const double rounding = 100 * epsilon;  // some ten operations on coordinates of up to 7
   EXPECT_NEAR(report.edge_min, edge, rounding);
   EXPECT_NEAR(report.edge_mean, edge, rounding);

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 
 #include "unit/membrane_support.hpp"
 
@@ -25,7 +26,7 @@ struct Inclined {
   double along, across, breadth, degrees;
 
   Eigen::Matrix3d map() const {
-    const double angle = degrees * EIGEN_PI / 180;
+    const double angle = degrees * std::numbers::pi / 180;
     const Eigen::Vector3d f = Eigen::Vector3d::Unit(flow), g = Eigen::Vector3d::Unit(gradient);
     Eigen::Matrix3d axes;
     axes.col(0) = std::cos(angle) * f + std::sin(angle) * g;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cstring>
+#include <numbers>
 
 #include "membrane/element.hpp"
 #include "unit/membrane_support.hpp"
@@ -164,7 +165,7 @@ TEST(InvertedElement, IsReportedForAPositionThatIsNotFinite) {
 TEST(MembraneHistory, CarriesTheNormalsOfTheLastCallThroughARestart) {
   const auto sphere = icosphere(1, 1);
   const auto turned = [&](double degrees) {
-    return Eigen::Matrix3Xd(rotation({0, 0, 1}, degrees * EIGEN_PI / 180) * sphere.points);
+    return Eigen::Matrix3Xd(rotation({0, 0, 1}, degrees * std::numbers::pi / 180) * sphere.points);
   };
   Membrane membrane(sphere, skalak(), 1);
   EXPECT_NO_THROW(forces(membrane, turned(70)));
