@@ -54,26 +54,31 @@ class StencilError : public std::runtime_error {
 class Coupler {
  public:
   /// @param threads OpenMP threads, 0: all
-  /// @throws std::invalid_argument if an axis has fewer nodes than the kernel is wide
+  /// @throws std::invalid_argument if an axis has fewer nodes than the kernel is wide, threads is negative,
+  /// or the kernel's half-width is not above 1/2 and at most 3
   Coupler(const Grid& grid, const Kernel& kernel, int threads = 0);
   ~Coupler();
 
   /// Builds the stencils of all surfaces at the positions given (one span of 3 n numbers a surface).
-  /// @throws StencilError if a stencil reaches beyond a wall or a position is not finite; the old stencils
-  /// stay
+  /// @throws StencilError if a stencil reaches beyond a wall with a weight other than 0, or a position is not
+  /// finite or more than 2^30 grid steps from the origin; the first such node is named; the old stencils stay
   void build(std::span<const std::span<const double>> surfaces);
 
-  /// Linear indices of the grid nodes that the stencils touch, each once, in the order of all grid arrays
-  /// below.
+  /// Linear indices of the grid nodes that the stencils touch, each once, ascending: the order of all grid
+  /// arrays below. The span is valid until the next build().
   std::span<const std::int64_t> grid_nodes() const;
 
-  /// u_m = sum_f delta(x_f - x_m) u_f (Eq. 2.3). @param grid_velocity 3 x grid_nodes() @param node_velocity
-  /// overwritten, a span a surface
+  /// u_m = sum_f delta(x_f - x_m) u_f (Eq. 2.3).
+  /// @param grid_velocity 3 x grid_nodes()
+  /// @param node_velocity overwritten, a span a surface
+  /// @throws std::invalid_argument if an array has another size than the stencils need
   void interpolate(std::span<const double> grid_velocity,
                    std::span<const std::span<double>> node_velocity) const;
 
-  /// F_f = sum_m delta(x_f - x_m) F_m (Eq. 2.1). @param node_force a span a surface @param grid_force 3 x
-  /// grid_nodes(), overwritten
+  /// F_f = sum_m delta(x_f - x_m) F_m (Eq. 2.1).
+  /// @param node_force a span a surface
+  /// @param grid_force 3 x grid_nodes(), overwritten
+  /// @throws std::invalid_argument if an array has another size than the stencils need
   void spread(std::span<const std::span<const double>> node_force, std::span<double> grid_force) const;
 
  private:

@@ -84,42 +84,51 @@ void StencilBuilder::place_across(Stencils& stencils) const {
   stencils.across_run.resize(std::size_t{1} * places * width_ * width_);
 }
 
+template <class Visit>
+void StencilBuilder::visit_rows(const std::array<int, 3>& first, int z, const Visit& visit) const {
+  const int width = width_, ny = grid_.nodes[1], y = first[1];
+  const std::int64_t plane = std::int64_t{z} * ny;
+  for (int ky = 0; ky < width; ++ky) visit(plane + index_of(y, ky, ny));
+}
+
 void StencilBuilder::mark(const Stencils& stencils) {
-  const auto [nx, ny, nz] = grid_.nodes;
   marks_.clear();
 #pragma omp parallel for num_threads(shares_) schedule(static, 1)
   for (int share = 0; share < shares_; ++share) {
+    const int width = width_, nx = grid_.nodes[0], nz = grid_.nodes[2];
     for (const auto& first : stencils.first) {
-      const int before_face = std::min(width_, nx - first[0]);
-      for (int kz = 0; kz < width_; ++kz) {
+      const int before_face = std::min(width, nx - first[0]);
+      const GridMarks::Run run(first[0], before_face);
+      for (int kz = 0; kz < width; ++kz) {
         const int z = index_of(first[2], kz, nz);
         if (share_of_plane_[z] != share) continue;
-        for (int ky = 0; ky < width_; ++ky) {
-          const std::int64_t row = std::int64_t{z} * ny + index_of(first[1], ky, ny);
-          marks_.mark(row, first[0], before_face);
-          if (before_face < width_) marks_.mark(row, 0, width_ - before_face);
-        }
+        visit_rows(first, z, [&](std::int64_t row) { marks_.mark(row, run); });
+        if (before_face == width) continue;
+        const GridMarks::Run across(0, width - before_face);
+        visit_rows(first, z, [&](std::int64_t row) { marks_.mark(row, across); });
       }
     }
   }
 }
 
 void StencilBuilder::find_runs(Stencils& stencils) const {
-  const auto [nx, ny, nz] = grid_.nodes;
-  const std::size_t n = stencils.n_nodes(), rows = std::size_t{1} * width_ * width_;
+  const std::size_t n = stencils.n_nodes();
 #pragma omp parallel for num_threads(shares_) schedule(static)
   for (std::size_t m = 0; m < n; ++m) {
     const auto& first = stencils.first[m];
-    std::int32_t* across = stencils.across[m] < 0 ? nullptr : &stencils.across_run[stencils.across[m] * rows];
-    std::int32_t* run = &stencils.run[m * rows];
-    for (int kz = 0; kz < width_; ++kz) {
-      const std::int64_t plane = std::int64_t{index_of(first[2], kz, nz)} * ny;
-      for (int ky = 0; ky < width_; ++ky) {
-        const std::int64_t row = plane + index_of(first[1], ky, ny);
-        *run++ = marks_.number_of(row, first[0]);
-        if (across) *across++ = marks_.number_of(row, 0);
-      }
-    }
+    list_numbers(first, first[0], &stencils.run[m * width_ * width_]);
+    const std::int32_t across = stencils.across[m];
+    if (across >= 0) list_numbers(first, 0, &stencils.across_run[std::size_t{1} * across * width_ * width_]);
+  }
+}
+
+// The number of the grid node x in each row of a stencil.
+void StencilBuilder::list_numbers(const std::array<int, 3>& first, int x, std::int32_t* numbers) const {
+  const int width = width_, nz = grid_.nodes[2];
+  const GridMarks::Place place(x);
+  for (int kz = 0; kz < width; ++kz) {
+    visit_rows(first, index_of(first[2], kz, nz),
+               [&](std::int64_t row) { *numbers++ = marks_.number_of(row, place); });
   }
 }
 

@@ -51,6 +51,10 @@ class StencilBuilder {
   void weigh(std::span<const std::span<const double>> surfaces, Stencils& stencils) const;
   void mark(const Stencils& stencils);
   void find_runs(Stencils& stencils) const;
+  void list_numbers(const std::array<int, 3>& first, int x, std::int32_t* numbers) const;
+  /// Calls visit(row) for the rows of a stencil in the plane z, in the order of its y.
+  template <class Visit>
+  void visit_rows(const std::array<int, 3>& first, int z, const Visit& visit) const;
   void place_across(Stencils& stencils) const;
   [[noreturn]] void refuse(std::size_t surface, std::size_t node, const double* position) const;
 

@@ -132,6 +132,17 @@ TEST_P(CouplerStencilsOf, MayReachJustToAWallAndNotBeyond) {
   }
 }
 
+TEST(CouplerStencils, AWeightThatRoundsToZeroNeedsNoNode) {
+  // One rounding nearer to the wall than cosine4 may be, its weight behind the wall is of order eps^2, that
+  // is 0.
+  Coupler coupler(walled_in_z, kernel("cosine4"));
+  for (const double z : {std::nextafter(1.5, 0.0), std::nextafter(12.5, 14.0)}) {
+    EXPECT_EQ(refusal(coupler, {{5, 5, z}}), "");
+    const Numbers ones(3 * coupler.grid_nodes().size(), 1.0);
+    EXPECT_NEAR(interpolate(coupler, ones, {1})[2], 1.0, 32 * eps);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, CouplerStencilsOf, ::testing::ValuesIn(kernels()),
                          [](const auto& tested) { return tested.param.name; });
 
