@@ -23,24 +23,33 @@ DevelopedFlow developed_flow(const LatticeBoltzmannSettings& settings, int x, in
 }
 
 std::array<double, 19> start_populations(const LatticeBoltzmannSettings& settings, int x, int y, int z) {
-  std::array<double, 19> populations{};
-  if (settings.start == Start::rest) return populations;
-  const auto flow = developed_flow(settings, x, y, z);
+  const bool developed = settings.start == Start::developed;
+  const int axis = developed ? settings.walls->axis : 0;
+  const auto flow = developed ? developed_flow(settings, x, y, z) : DevelopedFlow{};
   const auto& u = flow.velocity;
   const auto& force = settings.body_force;
-  const int axis = settings.walls->axis;
-  const double quadratic = settings.inertia ? 1.0 : 0.0;
+  const double inertia = settings.inertia ? 1.0 : 0.0;
   const double u_squared = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
-  // Of the departure -3 w tau+ c c : grad u the collision leaves the share 1 - 1/tau+. It leaves of the force
-  // the momentum F/2 on top of u (velocity() takes it off again).
-  const double departure = -3.0 * (settings.relaxation_time - 1.0);
+  const double u_force = u[0] * force[0] + u[1] * force[1] + u[2] * force[2];
+  // A collision leaves the momentum F/2 on top of u (velocity() takes it off again), and of a departure from
+  // equilibrium the share 1 - 1/tau. The departures are, with s along the wall axis,
+  //   even: -3 w tau+ c_s c.u',   odd, where u'' = -F/nu: -3 w tau- c.F (3 c_s^2 - 1).
+  const double even_departure = -3.0 * (settings.relaxation_time - 1.0);
+  const double odd_departure = -3.0 * (odd_relaxation_time(settings, settings.relaxation_time) - 1.0);
+  std::array<double, 19> populations{};
   for (int i = 0; i < d3q19::n_directions; ++i) {
     const auto& c = d3q19::velocity[i];
     const double cu = c[0] * u[0] + c[1] * u[1] + c[2] * u[2];
     const double c_gradient = c[0] * flow.gradient[0] + c[1] * flow.gradient[1] + c[2] * flow.gradient[2];
     const double c_force = c[0] * force[0] + c[1] * force[1] + c[2] * force[2];
-    populations[i] = d3q19::weight(i) * (3.0 * cu + quadratic * (4.5 * cu * cu - 1.5 * u_squared) +
-                                         departure * c[axis] * c_gradient + 1.5 * c_force);
+    double population = 3.0 * cu + inertia * (4.5 * cu * cu - 1.5 * u_squared) +
+                        0.5 * (3.0 * c_force + inertia * (9.0 * cu * c_force - 3.0 * u_force));
+    if (developed) {
+      const double c_force_along = c_force - c[axis] * force[axis];
+      population += even_departure * c[axis] * c_gradient +
+                    odd_departure * c_force_along * (3.0 * c[axis] * c[axis] - 1.0);
+    }
+    populations[i] = d3q19::weight(i) * population;
   }
   return populations;
 }

@@ -53,15 +53,17 @@ class Fluid {
   virtual GridShape shape() const = 0;
 
   /// Velocity u = (sum_i f_i c_i + F/2)/rho (Guo et al. 2002; Eq. 2.46) of the last step done, on the nodes
-  /// asked for.
+  /// asked for. It takes F from the force field: ask for it before clear_force() and add_force() change that.
   /// @param nodes linear node indices (GridShape::index)
   /// @param velocity 3 numbers a node asked for, component fastest; overwritten
+  /// @throws std::invalid_argument if the sizes do not match or a node lies outside the box
   virtual void velocity(std::span<const std::int64_t> nodes, std::span<double> velocity) const = 0;
 
-  /// Density and velocity of every node, for output: size() and 3 size() numbers, overwritten.
+  /// Density and velocity of every node, for output: size() and 3 size() numbers, overwritten. As velocity().
   virtual void moments(std::span<double> density, std::span<double> velocity) const = 0;
 
   /// Adds a force on each node listed (3 numbers a node). A node may be listed more than once.
+  /// @throws std::invalid_argument if the sizes do not match or a node lies outside the box
   virtual void add_force(std::span<const std::int64_t> nodes, std::span<const double> force) = 0;
 
   /// Sets the added force of every node to zero (the uniform body force stays).
@@ -71,6 +73,7 @@ class Fluid {
   virtual std::span<const double> force() const = 0;
 
   /// Sets the kinematic viscosity of every node: size() numbers, each positive.
+  /// @throws std::invalid_argument naming the node whose viscosity is not
   virtual void set_viscosity(std::span<const double> kinematic_viscosity) = 0;
 
   /// Goes on by one time step with the present force. @return the highest speed met.
@@ -81,7 +84,9 @@ class Fluid {
   /// The whole state, for a checkpoint or another program.
   virtual State state() const = 0;
 
-  /// Takes over a state. @throws std::invalid_argument naming the array that is missing or of the wrong size.
+  /// Takes over a state of a solver with the same settings.
+  /// @throws std::invalid_argument naming the array that is missing, unknown or of the wrong size; the solver
+  /// then stays as it was
   virtual void restore(const State& state) = 0;
 };
 

@@ -6,8 +6,11 @@
 #include <cmath>
 #include <sstream>
 
+#include "fluid/border_checks.hpp"
 #include "fluid/collision.hpp"
 #include "fluid/end_pack.hpp"
+#include "fluid/force_field.hpp"
+#include "fluid/node_rates.hpp"
 #include "fluid/population_lattice.hpp"
 #include "fluid/settings.hpp"
 
@@ -22,11 +25,8 @@ class LatticeBoltzmann final : public Fluid {
       : settings_(settings),
         n_threads_(settings.threads > 0 ? settings.threads : omp_get_max_threads()),
         lattice_(settings.shape, settings.walls),
-        even_rate_(1.0 / settings.relaxation_time),
-        odd_rate_(1.0 / odd_relaxation_time(settings, settings.relaxation_time)),
-        has_body_force_(settings.body_force != std::array<double, 3>{0, 0, 0}),
-        force_(3 * settings.shape.size(), 0.0),
-        row_forced_(std::int64_t{settings.shape.ny} * settings.shape.nz, 0) {
+        rates_(settings),
+        force_(settings.shape, settings.body_force) {
     for_each_row([&](int y, int z) {
       for (int x = 0; x < shape().nx; ++x)
         put_outgoing(x, y, z, start_populations(settings_, x, y, z).data());
@@ -36,9 +36,8 @@ class LatticeBoltzmann final : public Fluid {
   GridShape shape() const override { return settings_.shape; }
 
   void velocity(std::span<const std::int64_t> nodes, std::span<double> velocity) const override {
+    check_nodes("velocity()", nodes, velocity.size(), shape().size());
     const std::int64_t n = static_cast<std::int64_t>(nodes.size());
-    if (velocity.size() != 3 * nodes.size())
-      throw std::invalid_argument("lattice Boltzmann: velocity() needs 3 numbers a node");
 #pragma omp parallel for num_threads(n_threads_) schedule(static)
     for (std::int64_t k = 0; k < n; ++k) {
       const auto moments = node_moments(nodes[k]);
@@ -48,10 +47,8 @@ class LatticeBoltzmann final : public Fluid {
 
   void moments(std::span<double> density, std::span<double> velocity) const override {
     const std::int64_t n = shape().size();
-    if (static_cast<std::int64_t>(density.size()) != n ||
-        static_cast<std::int64_t>(velocity.size()) != 3 * n) {
-      throw std::invalid_argument("lattice Boltzmann: moments() needs 1 and 3 numbers for every node");
-    }
+    check_size("moments(): density", density.size(), n);
+    check_size("moments(): velocity", velocity.size(), 3 * n);
 #pragma omp parallel for num_threads(n_threads_) schedule(static)
     for (std::int64_t node = 0; node < n; ++node) {
       const auto at_node = node_moments(node);
@@ -61,37 +58,21 @@ class LatticeBoltzmann final : public Fluid {
   }
 
   void add_force(std::span<const std::int64_t> nodes, std::span<const double> force) override {
-    if (force.size() != 3 * nodes.size())
-      throw std::invalid_argument("lattice Boltzmann: add_force() needs 3 numbers a node");
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      for (int component = 0; component < 3; ++component)
-        force_[3 * nodes[k] + component] += force[3 * k + component];
-      row_forced_[nodes[k] / settings_.shape.nx] = 1;
-    }
+    check_nodes("add_force()", nodes, force.size(), shape().size());
+    force_.add(nodes, force);
   }
 
   void clear_force() override {
-    const std::int64_t row_length = 3 * std::int64_t{settings_.shape.nx};
-    for (std::size_t row = 0; row < row_forced_.size(); ++row) {
-      if (!row_forced_[row]) continue;
-      std::fill_n(force_.begin() + row * row_length, row_length, 0.0);
-      row_forced_[row] = 0;
-    }
+    force_.clear();
   }
 
   std::span<const double> force() const override {
-    return force_;
+    return force_.added();
   }
 
   void set_viscosity(std::span<const double> kinematic_viscosity) override {
     check_viscosity(kinematic_viscosity, shape().size());
-    node_even_rate_.resize(kinematic_viscosity.size());
-    node_odd_rate_.resize(kinematic_viscosity.size());
-    for (std::size_t node = 0; node < kinematic_viscosity.size(); ++node) {
-      const double relaxation_time = 0.5 + d3q19::inverse_sound_speed_squared * kinematic_viscosity[node];
-      node_even_rate_[node] = 1.0 / relaxation_time;
-      node_odd_rate_[node] = 1.0 / odd_relaxation_time(settings_, relaxation_time);
-    }
+    rates_.set_viscosity(kinematic_viscosity);
   }
 
   double step() override {
@@ -105,43 +86,24 @@ class LatticeBoltzmann final : public Fluid {
     State state;
     state.step = step_;
     state.arrays.push_back({"populations", n_directions, std::vector<double>(n_directions * shape().size())});
-    state.arrays.push_back({"force", 3, force_});
+    state.arrays.push_back({"force", 3, force_.added()});
+    if (!rates_.viscosity().empty()) state.arrays.push_back({"viscosity", 1, rates_.viscosity()});
     auto& values = state.arrays[0].values;
     for_each_row([&](int y, int z) {
       for (int x = 0; x < shape().nx; ++x)
         get_outgoing(x, y, z, &values[n_directions * shape().index(x, y, z)]);
     });
-    if (!node_even_rate_.empty()) {
-      state.arrays.push_back({"rate_even", 1, node_even_rate_});
-      state.arrays.push_back({"rate_odd", 1, node_odd_rate_});
-    }
     return state;
   }
 
   void restore(const State& state) override {
-    const std::int64_t n = shape().size();
-    const auto& populations = find_array(state, "populations", n_directions, n).values;
-    const auto& force = find_array(state, "force", 3, n).values;
-    const bool has_rates = std::any_of(state.arrays.begin(), state.arrays.end(),
-                                       [](const StateArray& array) { return array.name == "rate_even"; });
-    std::vector<double> even, odd;
-    if (has_rates) {
-      even = find_array(state, "rate_even", 1, n).values;
-      odd = find_array(state, "rate_odd", 1, n).values;
-    }
-    node_even_rate_ = std::move(even);
-    node_odd_rate_ = std::move(odd);
+    const auto arrays = check_state(state, shape().size());
     step_ = state.step;
-    force_ = force;
+    force_.restore(arrays.force);
+    rates_.set_viscosity(arrays.viscosity);
     for_each_row([&](int y, int z) {
-      bool forced = false;
-      for (int x = 0; x < shape().nx; ++x) {
-        const std::int64_t node = shape().index(x, y, z);
-        put_outgoing(x, y, z, &populations[n_directions * node]);
-        for (int component = 0; component < 3; ++component)
-          forced = forced || force_[3 * node + component] != 0.0;
-      }
-      row_forced_[std::int64_t{z} * shape().ny + y] = forced;
+      for (int x = 0; x < shape().nx; ++x)
+        put_outgoing(x, y, z, &arrays.populations[n_directions * shape().index(x, y, z)]);
     });
   }
 
@@ -149,12 +111,6 @@ class LatticeBoltzmann final : public Fluid {
   struct NodeMoments {
     double density;
     std::array<double, 3> velocity;
-  };
-
-  /// Room for what a thread needs of one row.
-  struct RowScratch {
-    explicit RowScratch(int nx) : force_x(nx + pack_size), force_y(nx + pack_size), force_z(nx + pack_size) {}
-    std::vector<double> force_x, force_y, force_z;
   };
 
   Turn next_turn() const {
@@ -190,13 +146,14 @@ class LatticeBoltzmann final : public Fluid {
     double f[n_directions];
     get_outgoing(static_cast<int>(node % nx), static_cast<int>(node / nx % ny),
                  static_cast<int>(node / nx / ny), f);
-    NodeMoments moments{1.0 + f[0], {}};
-    for (int i = 1; i < n_directions; ++i) moments.density += f[i];
+    double density_change = f[0];
+    for (int i = 1; i < n_directions; ++i) density_change += f[i];
+    NodeMoments moments{1.0 + density_change, {}};
+    const auto force = force_.total(node);
     for (int component = 0; component < 3; ++component) {
       double momentum = 0.0;
       for (int i = 1; i < n_directions; i += 2) momentum += d3q19::velocity[i][component] * (f[i] - f[i + 1]);
-      const double force = force_[3 * node + component] + settings_.body_force[component];
-      momentum -= 0.5 * force;
+      momentum -= 0.5 * force[component];
       moments.velocity[component] = settings_.inertia ? momentum / moments.density : momentum;
     }
     return moments;
@@ -210,16 +167,16 @@ class LatticeBoltzmann final : public Fluid {
     std::int64_t first_bad_row = n_rows;
 #pragma omp parallel num_threads(n_threads_) reduction(max : highest_squared) reduction(min : first_bad_row)
     {
-      RowScratch scratch(settings_.shape.nx);
+      RowForce row_force(settings_.shape.nx);
 #pragma omp for schedule(static)
       for (std::int64_t row = 0; row < n_rows; ++row) {
         SpeedWatch watch;
-        const bool forced = has_body_force_ || row_forced_[row];
         const int y = static_cast<int>(row % ny), z = static_cast<int>(row / ny);
-        if (forced) {
-          sweep_row<inertia, true>(turn, y, z, scratch, watch);
+        if (force_.acts_on(row)) {
+          force_.gather(row, row_force);
+          sweep_row<inertia, true>(turn, y, z, row_force, watch);
         } else {
-          sweep_row<inertia, false>(turn, y, z, scratch, watch);
+          sweep_row<inertia, false>(turn, y, z, row_force, watch);
         }
         for (int lane = 0; lane < pack_size; ++lane) {
           highest_squared = std::max(highest_squared, watch.highest_squared[lane]);
@@ -232,24 +189,23 @@ class LatticeBoltzmann final : public Fluid {
   }
 
   template <bool inertia, bool forced>
-  void sweep_row(Turn turn, int y, int z, RowScratch& scratch, SpeedWatch& watch) {
+  void sweep_row(Turn turn, int y, int z, const RowForce& row_force, SpeedWatch& watch) {
     const int nx = settings_.shape.nx;
     const std::int64_t first_node = settings_.shape.index(0, y, z);
     if (lattice_.walls()) return_from_walls(turn, y, z);
-    if constexpr (forced) gather_force(first_node, scratch);
     RowSlots slots;
     for (int i = 0; i < n_directions; ++i) slots[i] = lattice_.row_slot(turn, i, y, z);
 
     const double limit_squared = settings_.speed_limit * settings_.speed_limit;
     for (int x = 0; x < nx; x += pack_size) {
-      const auto force = forced ? pack_force(scratch, x) : PackForce{};
+      const auto force = forced ? row_force.pack(x) : PackForce{};
       if (x + pack_size > nx || (turn == Turn::streaming && (x == 0 || x + pack_size == nx))) {
         collide_end<inertia, forced>(EndPack(lattice_, turn, slots, x, y, z), first_node + x, force, watch);
         continue;
       }
       PackPopulations f;
       for (int i = 0; i < n_directions; ++i) f[i] = load(slots[i] + x);
-      collide<inertia, forced>(f, pack_rates(first_node + x), force, limit_squared, watch,
+      collide<inertia, forced>(f, rates_.pack(first_node + x), force, limit_squared, watch,
                                [&](int i, Pack outgoing) { store(slots[i] + x, outgoing); });
     }
   }
@@ -260,7 +216,7 @@ class LatticeBoltzmann final : public Fluid {
                                              const PackForce& force, SpeedWatch& watch) {
     PackPopulations f;
     end.load_to(f);
-    collide<inertia, forced>(f, end_rates(first_node, end.n_lanes), force,
+    collide<inertia, forced>(f, rates_.end_pack(first_node, end.n_lanes), force,
                              settings_.speed_limit * settings_.speed_limit, watch,
                              [&](int i, Pack outgoing) { end.put(i, outgoing); });
   }
@@ -281,42 +237,6 @@ class LatticeBoltzmann final : public Fluid {
         for (int x = 0; x < nx; ++x) slots[x] += gain;
       }
     }
-  }
-
-  /// The force of a row's nodes, body force included, component by component.
-  void gather_force(std::int64_t first_node, RowScratch& scratch) const {
-    const auto& body = settings_.body_force;
-    for (int x = 0; x < settings_.shape.nx; ++x) {
-      const double* force = &force_[3 * (first_node + x)];
-      scratch.force_x[x] = force[0] + body[0];
-      scratch.force_y[x] = force[1] + body[1];
-      scratch.force_z[x] = force[2] + body[2];
-    }
-    // Beyond the row (EndPack): the last node's once more.
-    for (auto* component : {&scratch.force_x, &scratch.force_y, &scratch.force_z}) {
-      std::fill(component->begin() + settings_.shape.nx, component->end(),
-                (*component)[settings_.shape.nx - 1]);
-    }
-  }
-
-  Rates pack_rates(std::int64_t node) const {
-    if (node_even_rate_.empty()) return {Pack{} + even_rate_, Pack{} + odd_rate_};
-    return {load(&node_even_rate_[node]), load(&node_odd_rate_[node])};
-  }
-
-  /// The same where the pack may end beyond the last node of the lattice.
-  Rates end_rates(std::int64_t node, int n_lanes) const {
-    if (node_even_rate_.empty() || n_lanes == pack_size) return pack_rates(node);
-    Rates rates;
-    for (int lane = 0; lane < pack_size; ++lane) {
-      rates.even[lane] = node_even_rate_[node + std::min(lane, n_lanes - 1)];
-      rates.odd[lane] = node_odd_rate_[node + std::min(lane, n_lanes - 1)];
-    }
-    return rates;
-  }
-
-  static PackForce pack_force(const RowScratch& scratch, int x) {
-    return {load(&scratch.force_x[x]), load(&scratch.force_y[x]), load(&scratch.force_z[x])};
   }
 
   /// Looks for the node that broke down in a row the step has just written.
@@ -346,11 +266,8 @@ class LatticeBoltzmann final : public Fluid {
   LatticeBoltzmannSettings settings_;
   int n_threads_;
   PopulationLattice lattice_;
-  double even_rate_, odd_rate_;
-  bool has_body_force_;
-  std::vector<double> force_;              ///< 3 a node, component fastest
-  std::vector<unsigned char> row_forced_;  ///< rows in which a force was added: the others skip it
-  std::vector<double> node_even_rate_, node_odd_rate_;  ///< empty unless set_viscosity was called
+  NodeRates rates_;
+  ForceField force_;
   std::int64_t step_ = 0;
 };
 

@@ -24,7 +24,7 @@ enum class Start {
 
 /// Settings of the solver, all in lattice units.
 struct LatticeBoltzmannSettings {
-  GridShape shape;
+  GridShape shape;                ///< nx >= 3, ny >= 1, nz >= 1
   std::optional<WallPair> walls;  ///< none: periodic on all axes
   double relaxation_time = 1.0;   ///< tau+ = 1/2 + 3 nu, > 1/2
   /// Lambda = (tau+ - 1/2)(tau- - 1/2), held fixed where the viscosity differs; none: single rate, tau- =
@@ -46,13 +46,16 @@ struct LatticeBoltzmannSettings {
 /// Populations are kept as their difference from rest (f_i - w_i), which saves digits, in one array that is
 /// updated in place by turns (AA pattern; Bailey et al. 2009, doi 10.1109/ICPP.2009.38): 2 x 19 numbers move
 /// a node and step.
+/// The state's arrays are "populations" (19 a node: what goes out after the last collision, less the
+/// weights), "force" (3) and, after set_viscosity(), "viscosity" (1).
 /// @throws std::invalid_argument naming the setting that is out of range
 std::unique_ptr<Fluid> make_lattice_boltzmann(const LatticeBoltzmannSettings& settings);
 
 /// Bytes that a step must move to and from memory for each node without a force: 2 x 19 doubles.
 inline constexpr int lattice_boltzmann_bytes_per_node = 2 * 19 * 8;
 
-/// Bytes of memory a node takes (populations, force, padding left out).
+/// Bytes of memory a node takes (populations, force; padding, and 24 more where each node has its viscosity,
+/// left out).
 inline constexpr int lattice_boltzmann_memory_per_node = (19 + 3) * 8;
 
 }  // namespace tanktread::fluid

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fluid/border_checks.hpp"
 #include "fluid/d3q19.hpp"
 #include "fluid/settings.hpp"
 
@@ -26,7 +27,7 @@ class PlainLatticeBoltzmann final : public Fluid {
       : settings_(settings),
         outgoing_(settings.shape.size()),
         force_(3 * settings.shape.size(), 0.0),
-        viscosity_(settings.shape.size(), (settings.relaxation_time - 0.5) / 3.0) {
+        viscosity_(settings.shape.size(), settings_viscosity()) {
     for_each_node([&](int x, int y, int z) {
       outgoing_[shape().index(x, y, z)] = start_populations(settings_, x, y, z);
     });
@@ -35,6 +36,7 @@ class PlainLatticeBoltzmann final : public Fluid {
   GridShape shape() const override { return settings_.shape; }
 
   void velocity(std::span<const std::int64_t> nodes, std::span<double> velocity) const override {
+    check_nodes("velocity()", nodes, velocity.size(), shape().size());
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       const auto u = outgoing_velocity(nodes[k]);
       std::copy(u.begin(), u.end(), &velocity[3 * k]);
@@ -42,6 +44,8 @@ class PlainLatticeBoltzmann final : public Fluid {
   }
 
   void moments(std::span<double> density, std::span<double> velocity) const override {
+    check_size("moments(): density", density.size(), shape().size());
+    check_size("moments(): velocity", velocity.size(), 3 * shape().size());
     for (std::int64_t node = 0; node < shape().size(); ++node) {
       density[node] = 1.0 + density_change(outgoing_[node]);
       const auto u = outgoing_velocity(node);
@@ -50,6 +54,7 @@ class PlainLatticeBoltzmann final : public Fluid {
   }
 
   void add_force(std::span<const std::int64_t> nodes, std::span<const double> force) override {
+    check_nodes("add_force()", nodes, force.size(), shape().size());
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       for (int component = 0; component < 3; ++component)
         force_[3 * nodes[k] + component] += force[3 * k + component];
@@ -75,8 +80,10 @@ class PlainLatticeBoltzmann final : public Fluid {
       const Vector u = velocity_of(incoming, force, 0.5);
       const double speed = std::sqrt(dot(u, u));
       if (!(speed < settings_.speed_limit)) {
-        throw Breakdown("step " + std::to_string(step_ + 1) + ": the fluid speed at node " +
-                        std::to_string(node) + " is " + std::to_string(speed) + ", over the limit");
+        throw Breakdown("step " + std::to_string(step_ + 1) + ": the fluid speed at node (" +
+                        std::to_string(x) + ", " + std::to_string(y) + ", " + std::to_string(z) + ") is " +
+                        std::to_string(speed) + ", must be finite and below " +
+                        std::to_string(settings_.speed_limit));
       }
       highest = std::max(highest, speed);
       next[node] = collide(incoming, u, force, viscosity_[node]);
@@ -97,12 +104,12 @@ class PlainLatticeBoltzmann final : public Fluid {
 
   void restore(const State& state) override {
     const std::int64_t n = shape().size();
-    const auto& populations = find_array(state, "populations", n_directions, n).values;
-    force_ = find_array(state, "force", 3, n).values;
-    viscosity_ = find_array(state, "viscosity", 1, n).values;
-    for (std::int64_t node = 0; node < n; ++node) {
-      std::copy_n(&populations[n_directions * node], n_directions, outgoing_[node].begin());
-    }
+    const auto arrays = check_state(state, n);
+    force_.assign(arrays.force.begin(), arrays.force.end());
+    viscosity_.assign(n, settings_viscosity());
+    if (!arrays.viscosity.empty()) viscosity_.assign(arrays.viscosity.begin(), arrays.viscosity.end());
+    for (std::int64_t node = 0; node < n; ++node)
+      std::copy_n(&arrays.populations[n_directions * node], n_directions, outgoing_[node].begin());
     step_ = state.step;
   }
 
@@ -113,6 +120,8 @@ class PlainLatticeBoltzmann final : public Fluid {
       for (int y = 0; y < shape().ny; ++y)
         for (int x = 0; x < shape().nx; ++x) body(x, y, z);
   }
+
+  double settings_viscosity() const { return (settings_.relaxation_time - 0.5) / 3.0; }
 
   Vector total_force(std::int64_t node) const {
     Vector force = settings_.body_force;

@@ -57,30 +57,4 @@ double odd_relaxation_time(const LatticeBoltzmannSettings& settings, double rela
   return *settings.magic_parameter / (relaxation_time - 0.5) + 0.5;
 }
 
-void check_viscosity(std::span<const double> kinematic_viscosity, std::int64_t n_nodes) {
-  if (static_cast<std::int64_t>(kinematic_viscosity.size()) != n_nodes) {
-    refuse("set_viscosity got " + std::to_string(kinematic_viscosity.size()) + " values for " +
-           std::to_string(n_nodes) + " nodes");
-  }
-  for (std::int64_t node = 0; node < n_nodes; ++node) {
-    require(std::isfinite(kinematic_viscosity[node]) && kinematic_viscosity[node] > 0.0,
-            "kinematic viscosity of node " + std::to_string(node), kinematic_viscosity[node], "> 0");
-  }
-}
-
-const StateArray& find_array(const State& state, const std::string& name, int components,
-                             std::int64_t n_nodes) {
-  for (const auto& array : state.arrays) {
-    if (array.name != name) continue;
-    if (array.components == components &&
-        static_cast<std::int64_t>(array.values.size()) == components * n_nodes) {
-      return array;
-    }
-    refuse("state array '" + name + "' has " + std::to_string(array.components) + " components and " +
-           std::to_string(array.values.size()) + " values; " + std::to_string(components) + " and " +
-           std::to_string(components * n_nodes) + " are needed for this box");
-  }
-  refuse("the state has no array '" + name + "'");
-}
-
 }  // namespace tanktread::fluid

@@ -12,13 +12,6 @@ void check(const LatticeBoltzmannSettings& settings);
 /// tau- from tau+: Lambda/(tau+ - 1/2) + 1/2, or tau+ itself for the single-rate model.
 double odd_relaxation_time(const LatticeBoltzmannSettings& settings, double relaxation_time);
 
-/// Refuses viscosities that are not positive and finite, or not one a node.
-void check_viscosity(std::span<const double> kinematic_viscosity, std::int64_t n_nodes);
-
-/// The array of that name, of that size. @throws std::invalid_argument saying what is there instead
-const StateArray& find_array(const State& state, const std::string& name, int components,
-                             std::int64_t n_nodes);
-
 /// Velocity and its gradient along the wall axis of the steady laminar flow between the walls at node (x, y,
 /// z): Couette, plus Poiseuille of a body force along the walls. Zero without walls.
 struct DevelopedFlow {
@@ -27,8 +20,8 @@ struct DevelopedFlow {
 };
 DevelopedFlow developed_flow(const LatticeBoltzmannSettings& settings, int x, int y, int z);
 
-/// Outgoing (post-collision) populations, less the weights, with which a node starts: equilibrium plus the
-/// first-order departure from it, -3 w tau+ rho c_a c_b du_b/dx_a before the collision.
+/// Outgoing (post-collision) populations, less the weights, with which a node starts: equilibrium, half the
+/// body force, and for the developed flow the departure from equilibrium that keeps it steady.
 std::array<double, 19> start_populations(const LatticeBoltzmannSettings& settings, int x, int y, int z);
 
 }  // namespace tanktread::fluid

@@ -1,0 +1,33 @@
+// Checks of what comes in over the border, shared by the fast and the plain solver. Internal to fluid/.
+// Each throws std::invalid_argument with the name, what came and what is needed.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "fluid/fluid.hpp"
+
+namespace tanktread::fluid {
+
+/// `what` has this many numbers.
+void check_size(const std::string& what, std::size_t size, std::int64_t needed);
+
+/// 3 numbers for each of the nodes, and every node in the box.
+void check_nodes(const std::string& what, std::span<const std::int64_t> nodes, std::size_t n_numbers,
+                 std::int64_t n_nodes);
+
+/// One viscosity a node, each positive and finite.
+void check_viscosity(std::span<const double> kinematic_viscosity, std::int64_t n_nodes);
+
+/// The arrays of a state.
+struct StateArrays {
+  std::span<const double> populations, force;
+  std::span<const double> viscosity;  ///< empty if the state has none: the settings' own everywhere
+};
+
+/// The arrays "populations", "force" and, if there, "viscosity", each of the right size; nothing else, and
+/// the step not negative.
+StateArrays check_state(const State& state, std::int64_t n_nodes);
+
+}  // namespace tanktread::fluid

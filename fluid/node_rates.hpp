@@ -1,0 +1,54 @@
+// The relaxation rates of every node, uniform or from a viscosity of its own. Internal to fluid/.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "fluid/collision.hpp"
+#include "fluid/settings.hpp"
+
+namespace tanktread::fluid {
+
+class NodeRates {
+ public:
+  explicit NodeRates(const LatticeBoltzmannSettings& settings)
+      : settings_(settings),
+        even_rate_(1.0 / settings.relaxation_time),
+        odd_rate_(1.0 / odd_relaxation_time(settings, settings.relaxation_time)) {}
+
+  /// Kinematic viscosity of every node; none: that of the settings everywhere.
+  void set_viscosity(std::span<const double> viscosity) {
+    viscosity_.assign(viscosity.begin(), viscosity.end());
+    even_.resize(viscosity.size());
+    odd_.resize(viscosity.size());
+    for (std::size_t node = 0; node < viscosity.size(); ++node) {
+      const double relaxation_time = 0.5 + d3q19::inverse_sound_speed_squared * viscosity[node];
+      even_[node] = 1.0 / relaxation_time;
+      odd_[node] = 1.0 / odd_relaxation_time(settings_, relaxation_time);
+    }
+  }
+  const std::vector<double>& viscosity() const { return viscosity_; }
+
+  Rates pack(std::int64_t node) const {
+    if (even_.empty()) return {Pack{} + even_rate_, Pack{} + odd_rate_};
+    return {load(&even_[node]), load(&odd_[node])};
+  }
+
+  /// The same where the pack may end beyond the last node of the lattice.
+  Rates end_pack(std::int64_t node, int n_lanes) const {
+    if (even_.empty() || n_lanes == pack_size) return pack(node);
+    Rates rates;
+    for (int lane = 0; lane < pack_size; ++lane) {
+      rates.even[lane] = even_[node + std::min(lane, n_lanes - 1)];
+      rates.odd[lane] = odd_[node + std::min(lane, n_lanes - 1)];
+    }
+    return rates;
+  }
+
+ private:
+  LatticeBoltzmannSettings settings_;
+  double even_rate_, odd_rate_;
+  std::vector<double> viscosity_, even_, odd_;  ///< empty unless set
+};
+
+}  // namespace tanktread::fluid
