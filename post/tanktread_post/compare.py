@@ -1,37 +1,87 @@
 """A table ours / reference / difference, and whether every value lies in its band."""
 
-from .observables import Observables, read_comparison
+import pathlib
+
+from .observables import InputError, Observables
+from .reference import read_comparison
+from .run_folder import is_run
+
+HEADER = ("quantity", "at", "ours", "reference", "difference", "band", "")
 
 
-def difference(ours, value):
-    """The difference as the band counts it: relative to the reference, or in the quantity's own unit."""
-    return (ours - value["reference"]) / value["reference"] if value["relative"] else ours - value["reference"]
+def difference(ours, reference, relative):
+    """The difference as a band counts it: a share of the reference, or in the quantity's own unit."""
+    return (ours - reference) / reference if relative else ours - reference
 
 
-def table_rows(observables, values):
-    """(name, shear time, ours, reference, difference, band, relative, inside) of each value."""
-    rows = []
-    for value in values:
-        ours = observables.at(value["name"], value["shear_time"])
-        gap = difference(ours, value)
-        inside = abs(gap) <= value["band"]
-        rows.append((value["name"], value["shear_time"], ours, value["reference"], gap, value["band"], value["relative"], inside))
-    return rows
+def shown(amount, relative, sign="+"):
+    """A difference or a band as text."""
+    return format(100 * amount, f"{sign}.2f") + " %" if relative else format(amount, f"{sign}.4f")
 
 
-def print_table(title, rows):
-    """Prints the table."""
-    print(title)
-    print(f"{'quantity':<18} {'at':>6} {'ours':>12} {'thesis':>12} {'difference':>12} {'band':>9}")
-    for name, time, ours, reference, gap, band, relative, inside in rows:
-        shown = f"{100 * gap:+.2f} %" if relative else f"{gap:+.4f}"
-        allowed = f"{100 * band:.2f} %" if relative else f"{band:.4f}"
-        print(f"{name:<18} {time:>6.2f} {ours:>12.6f} {reference:>12.6f} {shown:>12} {allowed:>9}{'' if inside else '  OUTSIDE'}")
+def verdict(amount, band):
+    """True inside the band, False outside, None where nothing is judged. NaN is outside."""
+    return None if band is None else abs(amount) <= band
+
+
+def table_row(label, shear_time, ours, reference, relative, band):
+    """One row of text, and its verdict."""
+    amount = difference(ours, reference, relative)
+    inside = verdict(amount, band)
+    allowed = "" if band is None else shown(band, relative, "")
+    word = {True: "inside", False: "OUTSIDE", None: "shown only"}[inside]
+    return (label, f"{shear_time:.2f}", f"{ours:.6f}", f"{reference:.6f}", shown(amount, relative), allowed, word), inside
+
+
+def print_rows(title, header, rows):
+    """Prints a table with columns as wide as they need to be: text to the left, numbers to the right."""
+    widths = [max(len(row[k]) for row in [header, *rows]) for k in range(len(header))]
+    print(f"\n{title}")
+    for row in [header, *rows]:
+        cells = [row[k].ljust(widths[k]) if k in (0, len(row) - 1) else row[k].rjust(widths[k]) for k in range(len(row))]
+        print("  ".join(cells).rstrip())
+
+
+def _run_directory(output, run):
+    """The folder of a run; None if it is not there. A case of one run has its results in `output` itself."""
+    directory = pathlib.Path(output) if run is None else pathlib.Path(output) / run
+    return directory if is_run(directory) else None
+
+
+def _value_row(output, value):
+    directory = _run_directory(output, value["run"])
+    label = value["name"] if value["run"] is None else f"{value['run']}: {value['name']}"
+    if directory is None:
+        return None, label
+    ours = Observables(directory).at(value["name"], value["shear_time"])
+    return table_row(label, value["shear_time"], ours, value["reference"], value["relative"], value["band"]), label
+
+
+def _change_row(output, change):
+    directories = [_run_directory(output, change[key]) for key in ("from", "to")]
+    label = f"{change['from']} to {change['to']}: {change['name']}"
+    if None in directories:
+        return None, label
+    first, second = (Observables(directory).at(change["name"], change["shear_time"]) for directory in directories)
+    return table_row(label, change["shear_time"], second, first, True, change["band"]), label
 
 
 def compare(output, case):
-    """Prints the table of a case; 1 if a value lies outside its band, else 0."""
+    """Prints the table of a case; 1 if a value lies outside its band, else 0. Runs that are not there are named."""
     wanted = read_comparison(case)
-    rows = table_rows(Observables(output), wanted["value"])
-    print_table(wanted["title"], rows)
-    return 0 if all(row[-1] for row in rows) else 1
+    rows, verdicts, absent = [], [], []
+    for make, entries in ((_value_row, wanted["value"]), (_change_row, wanted["change"])):
+        for entry in entries:
+            row, label = make(output, entry)
+            if row is None:
+                absent.append(label)
+            else:
+                rows.append(row[0])
+                verdicts.append(row[1])
+    if not rows:
+        raise InputError(f"{output}: none of the runs of {case} is there")
+    header = tuple(wanted["source"] if name == "reference" else name for name in HEADER)
+    print_rows(wanted["title"], header, rows)
+    if absent:
+        print("not run yet: " + ", ".join(absent))
+    return 1 if False in verdicts else 0

@@ -1,28 +1,32 @@
-"""Reading observables.csv and the numbers a case is compared with."""
+"""Reading observables.csv: one capsule's quantities against shear time."""
 
 import csv
 import pathlib
-import tomllib
 
 import numpy
 
 
 class InputError(Exception):
-    """A file is missing or not what it should be; the message names it."""
+    """A file is missing or not what it should be; the message names it and says what to do."""
 
 
 class Observables:
-    """The columns of observables.csv for one capsule, as arrays."""
+    """The columns of observables.csv for one capsule, as arrays of numbers."""
 
     def __init__(self, directory, capsule=0):
         self.file = pathlib.Path(directory) / "observables.csv"
         if not self.file.is_file():
             raise InputError(f"{self.file}: there is no such file; is {directory} the output of a run?")
         with open(self.file, newline="") as stream:
-            rows = [row for row in csv.DictReader(stream) if int(row["capsule"]) == capsule]
+            reader = csv.DictReader(stream)
+            names = reader.fieldnames or []
+            if "shear_time" not in names or "capsule" not in names:
+                raise InputError(f"{self.file}: its first line does not name the columns shear_time and capsule")
+            # A row that a killed run left unfinished has fewer fields: it is not a row yet.
+            rows = [row for row in reader if None not in row.values() and int(row["capsule"]) == capsule]
         if not rows:
             raise InputError(f"{self.file}: it has no rows of capsule {capsule}")
-        self.columns = {name: numpy.array([float(row[name]) for row in rows]) for name in rows[0]}
+        self.columns = {name: numpy.array([float(row[name]) for row in rows]) for name in names}
 
     def __getitem__(self, name):
         if name not in self.columns:
@@ -30,17 +34,14 @@ class Observables:
         return self.columns[name]
 
     def at(self, name, shear_time):
-        """The value at a shear time, by linear interpolation between rows. Never beyond the last row."""
-        times = self["shear_time"]
+        """The value at a shear time, by linear interpolation between two rows; never beyond the last row."""
+        times, values = self["shear_time"], self[name]
+        # The last row of a run to T lies within half a step of T: reading at T means that row.
+        if shear_time > times[-1] and abs(shear_time - times[-1]) <= 1e-3:
+            return float(values[-1])
         if not times[0] <= shear_time <= times[-1]:
-            raise InputError(f"{self.file}: shear time {shear_time} is outside {times[0]:.6g} to {times[-1]:.6g}")
-        return float(numpy.interp(shear_time, times, self[name]))
-
-
-def read_comparison(case):
-    """The table of compare.toml: {"title": ..., "value": [{name, shear_time, reference, band, relative}, ...]}."""
-    file = pathlib.Path(case) / "compare.toml"
-    if not file.is_file():
-        raise InputError(f"{file}: there is no such file")
-    with open(file, "rb") as stream:
-        return tomllib.load(stream)
+            raise InputError(
+                f"{self.file}: shear time {shear_time:g} is outside {times[0]:.6g} to {times[-1]:.6g}; "
+                "the run must go on to it (tanktread run --resume DIR --shear-time T)"
+            )
+        return float(numpy.interp(shear_time, times, values))

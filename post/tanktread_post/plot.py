@@ -1,4 +1,4 @@
-"""PNG plots of the observables against shear time, with the reference drawn in."""
+"""PNG plots: observables against shear time with the reference drawn in, and errors against the resolution."""
 
 import pathlib
 
@@ -7,36 +7,88 @@ import matplotlib
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402  (the backend must be chosen first)
 
-from .observables import Observables, read_comparison  # noqa: E402
+from . import small_deformation  # noqa: E402
+from .observables import InputError, Observables  # noqa: E402
+from .reference import read_comparison  # noqa: E402
+from .run_folder import is_run  # noqa: E402
 
 PLOTS = {
-    "deformation": ("deformation.png", "Taylor deformation  D"),
-    "inclination_deg": ("inclination.png", "inclination (degrees)"),
+    "deformation": ("deformation.png", "Taylor deformation  $D$"),
+    "inclination_deg": ("inclination.png", "inclination  (degrees)"),
 }
+SMALLEST_DEFORMATION = 1e-5
+# Distinguishable with every common form of colour blindness (Okabe and Ito).
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000")
+
+
+def _axes(x_label, y_label):
+    figure, axes = pyplot.subplots(figsize=(7.2, 4.5), layout="constrained")
+    axes.set_xlabel(x_label)
+    axes.set_ylabel(y_label)
+    axes.grid(alpha=0.25, linewidth=0.8)
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.tick_params(length=3)
+    return figure, axes
+
+
+def _save(figure, file):
+    figure.savefig(file, dpi=160)
+    pyplot.close(figure)
+    return file
+
+
+def run_folders(output):
+    """{label: folder}: the output of one run, or the runs below a folder of many."""
+    output = pathlib.Path(output)
+    if is_run(output):
+        return {"tanktread": output}
+    found = {path.name: path for path in sorted(output.iterdir()) if is_run(path)} if output.is_dir() else {}
+    if not found:
+        raise InputError(f"{output}: neither the output of a run nor a folder of such")
+    return found
 
 
 def plot_observables(output, case=None):
-    """Writes one PNG for each of D and inclination into the output directory."""
-    observables = Observables(output)
-    values = read_comparison(case)["value"] if case else []
+    """Writes one PNG for each of D and inclination into the folder. Returns the files."""
+    runs = {label: Observables(folder) for label, folder in run_folders(output).items()}
+    wanted = read_comparison(case) if case else {"value": [], "source": "reference"}
+    files = []
     for name, (file, label) in PLOTS.items():
-        figure, axes = pyplot.subplots(figsize=(7, 4.5), constrained_layout=True)
-        # The inclination of the undeformed sphere has no meaning: leave out the first row.
-        axes.plot(observables["shear_time"][1:], observables[name][1:], color="#1f5a93", linewidth=2, label="tanktread")
-        points = [value for value in values if value["name"] == name]
+        figure, axes = _axes(r"shear time  $\dot\gamma t$", label)
+        for k, (run, observables) in enumerate(runs.items()):
+            # The inclination of a sphere has no meaning: what is hardly deformed is left out.
+            drawn = observables["deformation"] > SMALLEST_DEFORMATION if name == "inclination_deg" else slice(None)
+            x, y = observables["shear_time"][drawn], observables[name][drawn]
+            axes.plot(x, y, color=COLOURS[k % len(COLOURS)], label=run)
+        points = sorted({(v["shear_time"], v["reference"]) for v in wanted["value"] if v["name"] == name})
         if points:
-            axes.plot(
-                [value["shear_time"] for value in points],
-                [value["reference"] for value in points],
-                "o",
-                color="#c44e2b",
-                markersize=8,
-                label="reference",
-            )
-        axes.set_xlabel("shear time")
-        axes.set_ylabel(label)
-        axes.grid(alpha=0.3)
-        axes.spines[["top", "right"]].set_visible(False)
+            axes.plot(*zip(*points), "o", color="black", markerfacecolor="white", markersize=7, label=wanted["source"], zorder=3)
+        axes.set_xlim(left=0)
         axes.legend(frameon=False)
-        figure.savefig(pathlib.Path(output) / file, dpi=150)
-        pyplot.close(figure)
+        files.append(_save(figure, pathlib.Path(output) / file))
+    return files
+
+
+def plot_small_deformation(output, case):
+    """Writes errors.png: D over that of the theory, less one, against 1/a, a line a kernel. Returns the files."""
+    settings = read_comparison(case)["small_deformation"]
+    series = small_deformation.Series(small_deformation.read_runs(output, settings["shear_time"]), settings)
+    figure, axes = _axes(r"grid steps a radius, inverse  $1/a$", "error of $D$ against the theory  (%)")
+    drawn = False
+    for k, kernel in enumerate(settings["kernels"]):
+        ratios = series.kernel_ratios(kernel)
+        if not ratios:
+            continue
+        drawn = True
+        x, y = [1.0 / radius for radius in ratios], [100 * (ratio - 1) for ratio in ratios.values()]
+        axes.plot(x, y, "o", color=COLOURS[k], label=kernel)
+        if len(x) > 1:
+            limit = small_deformation.intercept(x, y)
+            slope = (sum(y) / len(y) - limit) / (sum(x) / len(x))
+            axes.plot([0, max(x)], [limit, limit + slope * max(x)], color=COLOURS[k], linewidth=1, alpha=0.6)
+    if not drawn:
+        raise InputError(f"{output}: no finished run of the kernel series is there")
+    axes.axhline(0, color="black", linewidth=0.8)
+    axes.set_xlim(left=0)
+    axes.legend(frameon=False, title=f"$Ca_G$ = {settings['kernel_capillary_number']:g}, box {settings['box_in_radii']:g} $a$")
+    return [_save(figure, pathlib.Path(output) / "errors.png")]

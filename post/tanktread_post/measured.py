@@ -1,0 +1,90 @@
+"""Measured results of a case: cases/NAME/measured/results.csv, to which runs are added with command, commit, date.
+
+Each run is one block: a comment line that says how it was made, then its rows. Measuring a run again replaces
+its block.
+"""
+
+import datetime
+import pathlib
+import subprocess
+
+from .observables import InputError, Observables
+from .run_folder import is_finished, read_cost, read_echo
+
+QUANTITIES = ("deformation", "inclination_deg", "length", "width", "breadth", "volume_ratio", "area_ratio")
+PARAMETERS = ("elastic_law", "capillary_number", "capillary_modulus", "kernel", "radius", "box", "mesh", "shear_rate_by")
+COST = ("mlups", "fluid_percent", "coupler_percent", "membrane_percent")
+COLUMNS = ("run", *PARAMETERS, "shear_time", *QUANTITIES, *COST)
+
+
+def parameters(echo):
+    """The parameters of a run that tell it from the others of its case, as text."""
+    flow, capsule = echo["flow"], echo["capsule"][0]
+    membrane, mesh = capsule["membrane"], capsule["mesh"]
+    rate = next((key for key in ("reynolds_number", "wall_speed", "shear_rate") if key in flow), "")
+    return {
+        "elastic_law": membrane["elastic_law"],
+        "capillary_number": repr(membrane["capillary_number"]),
+        "capillary_modulus": membrane["capillary_modulus"],
+        "kernel": echo["coupler"]["kernel"],
+        "radius": repr(capsule["radius"]),
+        "box": " x ".join(str(n) for n in flow["box"]),
+        "mesh": mesh.get("file") or f"{mesh['shape']} level {mesh['level']}",
+        "shear_rate_by": f"{rate} {flow[rate]!r}" if rate else "",
+    }
+
+
+def rows_of(directory, run, shear_times, log=None):
+    """The rows of one run at the shear times asked for, as dictionaries of text."""
+    observables, cost = Observables(directory), read_cost(log)
+    common = {"run": run, **parameters(read_echo(directory))}
+    rows = []
+    for time in shear_times:
+        row = {**common, "shear_time": f"{time:g}"}
+        row.update({name: f"{observables.at(name, time):.10g}" for name in QUANTITIES})
+        row.update({name: f"{cost[name]:g}" if name in cost else "" for name in COST})
+        rows.append(row)
+    return rows
+
+
+def commit_of(repository):
+    """The commit of a checkout, with '+' if tracked files differ from it; 'unknown' outside one."""
+    def git(*arguments):
+        return subprocess.run(["git", "-C", str(repository), *arguments], capture_output=True, text=True)
+
+    head = git("rev-parse", "--short=10", "HEAD")
+    if head.returncode != 0:
+        return "unknown"
+    changed = git("status", "--porcelain", "--untracked-files=no").stdout.strip()
+    return head.stdout.strip() + ("+" if changed else "")
+
+
+def read_blocks(file):
+    """The blocks of a results file: {run: lines}, in their order."""
+    blocks, comment = {}, None
+    for line in file.read_text().splitlines()[1:] if file.is_file() else []:
+        if line.startswith("#"):
+            comment = line
+        elif line:
+            run = line.split(",")[0]
+            if comment is not None:
+                blocks[run] = [comment]
+                comment = None
+            blocks.setdefault(run, []).append(line)
+    return blocks
+
+
+def add(case, directory, run, shear_times, command, commit, log=None):
+    """Adds a finished run to measured/results.csv of a case (or replaces it there). Returns the file."""
+    if not is_finished(directory):
+        raise InputError(f"{directory}: the run is not finished; go on with: tanktread run --resume {directory}")
+    if "," in run or "\n" in command:
+        raise InputError(f"run '{run}', command '{command}': no commas in a run's name, no line breaks in a command")
+    file = pathlib.Path(case) / "measured" / "results.csv"
+    blocks = read_blocks(file)
+    made = f"# {datetime.date.today().isoformat()}, commit {commit}: {command}"
+    blocks[run] = [made] + [",".join(row[name] for name in COLUMNS) for row in rows_of(directory, run, shear_times, log)]
+    file.parent.mkdir(exist_ok=True)
+    lines = [",".join(COLUMNS)] + [line for block in blocks.values() for line in block]
+    file.write_text("\n".join(lines) + "\n")
+    return file

@@ -1,0 +1,70 @@
+"""The numbers a case is held against: compare.toml and the tables of its reference/ folder.
+
+A compare.toml has a title, a source, and any of
+
+    [[value]]            a value at a shear time, held against a reference
+    run = "mesh-3"       which run; left out in a case of one run
+    name = "deformation" a column of observables.csv
+    shear_time = 4.17
+    reference = 1.0      a number, or { file, column, where = { column = value, ... } }: one row of a CSV
+    band = 0.015         largest difference allowed; left out: shown, not judged
+    relative = true      whether the band is a share of the reference (default), or in the quantity's unit
+
+    [[change]]           the relative change of a value from one run to another
+    name, shear_time, from, to, band
+"""
+
+import csv
+import pathlib
+import tomllib
+
+from .observables import InputError
+
+
+def read_table(file):
+    """The rows of a CSV whose comment lines begin with '#', as dictionaries of text."""
+    file = pathlib.Path(file)
+    if not file.is_file():
+        raise InputError(f"{file}: there is no such file")
+    with open(file, newline="") as stream:
+        return list(csv.DictReader(line for line in stream if not line.startswith("#")))
+
+
+def _same(text, wanted):
+    """Whether a cell says what is wanted: as a number where both are numbers, else as text."""
+    try:
+        return float(text) == float(wanted)
+    except ValueError:
+        return text == str(wanted)
+
+
+def look_up(case, reference):
+    """The number of a `reference` entry of compare.toml."""
+    if not isinstance(reference, dict):
+        return float(reference)
+    file = pathlib.Path(case) / reference["file"]
+    where = reference["where"]
+    found = [row for row in read_table(file) if all(_same(row.get(key, ""), value) for key, value in where.items())]
+    if len(found) != 1:
+        raise InputError(f"{file}: {len(found)} rows have {where}; exactly one must")
+    if reference["column"] not in found[0]:
+        raise InputError(f"{file}: there is no column '{reference['column']}', only {', '.join(found[0])}")
+    return float(found[0][reference["column"]])
+
+
+def read_comparison(case):
+    """compare.toml of a case folder, with every reference looked up and every default filled in."""
+    file = pathlib.Path(case) / "compare.toml"
+    if not file.is_file():
+        raise InputError(f"{file}: there is no such file")
+    with open(file, "rb") as stream:
+        wanted = tomllib.load(stream)
+    wanted.setdefault("source", "reference")
+    for value in wanted.setdefault("value", []):
+        value["reference"] = look_up(case, value["reference"])
+        value.setdefault("run", None)
+        value.setdefault("band", None)
+        value.setdefault("relative", True)
+    for change in wanted.setdefault("change", []):
+        change.setdefault("band", None)
+    return wanted

@@ -1,0 +1,55 @@
+"""What a run folder says about its run: the case with every key resolved, whether it is finished, its speed."""
+
+import pathlib
+import re
+import tomllib
+
+from .observables import InputError, Observables
+
+
+def read_echo(directory):
+    """echo.toml: the case that made this folder, as a dictionary."""
+    file = pathlib.Path(directory) / "echo.toml"
+    if not file.is_file():
+        raise InputError(f"{file}: there is no such file; is {directory} the output of a run?")
+    with open(file, "rb") as stream:
+        return tomllib.load(stream)
+
+
+def is_run(directory):
+    """Whether a folder is the output of a run, finished or not."""
+    return (pathlib.Path(directory) / "echo.toml").is_file()
+
+
+def is_finished(directory):
+    """Whether the run has reached the end that its case asks for."""
+    try:
+        last = Observables(directory)["shear_time"][-1]
+        # A run ends at the step nearest to its end, so up to half a step before it.
+        return last >= read_echo(directory)["run"]["shear_time"] - 1e-3
+    except InputError:
+        return False
+
+
+def capillary_number_by_shear_modulus(membrane):
+    """Ca_G = mu g a/G_s of a [capsule.membrane] table; E_s = 2 G_s in Skalak's law as the thesis writes it."""
+    modulus = membrane["capillary_modulus"]
+    if modulus == "gamma":
+        raise InputError("an interfacial tension has no shear modulus, so no capillary number by it")
+    return membrane["capillary_number"] * (2.0 if modulus == "E_s" else 1.0)
+
+
+def read_cost(log):
+    """Speed and split of the cost from the log of a run: {} where the log has no closing lines (yet)."""
+    if log is None or not pathlib.Path(log).is_file():
+        return {}
+    text = pathlib.Path(log).read_text(errors="replace")
+    cost = {}
+    closing = re.findall(r"ended at step \d+ with ([\d.]+) MLUPS", text)
+    split = re.findall(r"cost: fluid ([\d.]+) %, coupler ([\d.]+) %, membrane ([\d.]+) %", text)
+    if closing:
+        cost["mlups"] = float(closing[-1])
+    if split:
+        for name, share in zip(("fluid_percent", "coupler_percent", "membrane_percent"), split[-1]):
+            cost[name] = float(share)
+    return cost

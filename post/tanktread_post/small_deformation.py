@@ -1,0 +1,210 @@
+"""The limit of small deformation: how far a series of runs is from it, and where it goes as the grid is refined.
+
+Theory (Barthes-Biesel and Rallison 1981, doi 10.1017/S0022112081003480; steady, unbounded Stokes shear flow):
+    D = (5/8) Ca_G (3 + G_s/K_s).
+A run differs from it by its capillary number, its resolution and its box:
+    D = D_theory (1 + k Ca_G^2) (1 + r/a) (1 + w (a/L)^3).
+- Ca_G: at the next order the shape gains a part along the flow axes, at right angles (in the plane of shapes) to
+  the first, so D changes by a share of Ca_G^2 only. The slope D/Ca_G at Ca_G = 0 comes from a line in Ca_G^2.
+- a (grid steps): the immersed boundary is of first order in the grid step, so a line in 1/a.
+- L: a capsule is a stresslet, whose velocity falls like 1/r^2; walls and periodic images at a distance L
+  change the shear rate that it sees by a share of (a/L)^3.
+"""
+
+import dataclasses
+import math
+import pathlib
+
+import numpy
+
+from .compare import print_rows
+from .observables import InputError, Observables
+from .reference import read_comparison
+from .run_folder import capillary_number_by_shear_modulus, is_finished, read_echo
+
+
+@dataclasses.dataclass(frozen=True)
+class Reading:
+    """One run: its parameters and the deformation read."""
+
+    run: str
+    law: str
+    kernel: str
+    capillary_number: float  # by G_s
+    radius: float  # grid steps
+    width: int  # grid steps, of the cubic box
+    inertia: bool
+    theory: float  # D of the theory at this capillary number
+    deformation: float
+    inclination_deg: float
+
+    @property
+    def ratio(self):
+        """D over that of the theory."""
+        return self.deformation / self.theory
+
+
+def area_to_shear_modulus(membrane):
+    """K_s/G_s of a law at rest."""
+    law = membrane["elastic_law"]
+    if law == "skalak":
+        return 1.0 + 2.0 * membrane["area_ratio"]
+    if law == "neo-hookean":
+        return 3.0
+    if law == "hookean":
+        return (1.0 + membrane["poisson_ratio"]) / (1.0 - membrane["poisson_ratio"])
+    raise InputError(f"the limit of small deformation is not known for the law '{law}'")
+
+
+def theory(membrane):
+    """D of the theory for a [capsule.membrane] table."""
+    return 5.0 / 8.0 * capillary_number_by_shear_modulus(membrane) * (3.0 + 1.0 / area_to_shear_modulus(membrane))
+
+
+def read_run(directory, shear_time):
+    """The reading of one finished run."""
+    echo = read_echo(directory)
+    capsule, observables = echo["capsule"][0], Observables(directory)
+    return Reading(
+        run=pathlib.Path(directory).name,
+        law=capsule["membrane"]["elastic_law"],
+        kernel=echo["coupler"]["kernel"],
+        capillary_number=capillary_number_by_shear_modulus(capsule["membrane"]),
+        radius=capsule["radius"],
+        width=echo["flow"]["box"][2],
+        inertia=echo["flow"]["inertia"],
+        theory=theory(capsule["membrane"]),
+        deformation=observables.at("deformation", shear_time),
+        inclination_deg=observables.at("inclination_deg", shear_time),
+    )
+
+
+def read_runs(output, shear_time):
+    """The readings of all finished runs below a folder."""
+    directories = sorted(path for path in pathlib.Path(output).iterdir() if path.is_dir()) if pathlib.Path(output).is_dir() else []
+    return [read_run(directory, shear_time) for directory in directories if is_finished(directory)]
+
+
+def intercept(x, y):
+    """Where the straight line through the points (least squares) meets x = 0. NaN with fewer than two x."""
+    if len(set(x)) < 2:
+        return math.nan
+    return float(numpy.polyfit(x, y, 1)[1])
+
+
+def slope_ratio(readings):
+    """D/Ca_G over that of the theory at Ca_G = 0, by a line in Ca_G^2; one capillary number alone: its ratio."""
+    if len(readings) == 1:
+        return readings[0].ratio
+    return intercept([r.capillary_number**2 for r in readings], [r.ratio for r in readings])
+
+
+def box_factor(readings, widths):
+    """D in a box of L = `widths` radii over D in an unbounded fluid, by a line in (a/L)^3; NaN without two boxes."""
+    x = [(r.radius / r.width) ** 3 for r in readings]
+    if len(set(x)) < 2:
+        return math.nan
+    gradient, unbounded = numpy.polyfit(x, [r.ratio for r in readings], 1)
+    return float(1.0 + gradient / unbounded / widths**3)
+
+
+class Series:
+    """The readings of a case, sorted into the series that its tables need."""
+
+    def __init__(self, readings, settings):
+        self.settings = settings
+        self.readings = [r for r in readings if r.inertia]
+        self.stokes = [r for r in readings if not r.inertia]
+
+    def in_box(self, reading):
+        """Whether the run is in the box in which the resolution is varied."""
+        return abs(reading.width / reading.radius - self.settings["box_in_radii"]) < 0.5
+
+    def select(self, **wanted):
+        """The readings whose members equal those given, in the box of the resolution series."""
+        return [r for r in self.readings if self.in_box(r) and all(getattr(r, k) == v for k, v in wanted.items())]
+
+    def slopes(self, law):
+        """{radius: D/Ca_G over that of the theory at Ca_G = 0} of the default kernel."""
+        chosen = self.select(law=law, kernel=self.settings["kernel"])
+        radii = sorted({r.radius for r in chosen})
+        by_radius = {radius: [r for r in chosen if r.radius == radius] for radius in radii}
+        return {radius: slope_ratio(group) for radius, group in by_radius.items() if len(group) > 1}
+
+    def kernel_ratios(self, kernel):
+        """{radius: D over theory} at the capillary number of the kernel series, law of the kernel series."""
+        chosen = self.select(
+            kernel=kernel, law=self.settings["kernel_law"], capillary_number=self.settings["kernel_capillary_number"]
+        )
+        return {r.radius: r.ratio for r in sorted(chosen, key=lambda r: r.radius)}
+
+    def boxes(self):
+        """The runs in which the box is varied: of one radius, one law, one kernel and one capillary number."""
+        return [
+            r
+            for r in self.readings
+            if (r.law, r.kernel, r.radius, r.capillary_number)
+            == (
+                self.settings["kernel_law"],
+                self.settings["kernel"],
+                self.settings["box_radius"],
+                self.settings["kernel_capillary_number"],
+            )
+        ]
+
+    def factor(self):
+        """The factor of the box of the resolution series."""
+        return box_factor(self.boxes(), self.settings["box_in_radii"])
+
+
+def extrapolated(ratios, factor):
+    """The ratio at 1/a = 0 in an unbounded fluid, of {radius: ratio}."""
+    return intercept([1.0 / radius for radius in ratios], list(ratios.values())) / factor
+
+
+def _percent(ratio):
+    return "" if ratio is None or math.isnan(ratio) else f"{100 * (ratio - 1):+.2f} %"
+
+
+def _table(title, label, rows, radii):
+    """Prints errors: one row a series {radius: ratio}, with its extrapolation."""
+    header = (label, *(f"a = {radius:g}" for radius in radii), "a to infinity", "")
+    print_rows(title, header, [(name, *(_percent(ratios.get(a)) for a in radii), _percent(limit), word) for name, ratios, limit, word in rows])
+
+
+def compare(output, case):
+    """Prints the errors against the theory; 1 if an extrapolated slope lies outside the band, else 0."""
+    settings = read_comparison(case)["small_deformation"]
+    readings = read_runs(output, settings["shear_time"])
+    if not readings:
+        raise InputError(f"{output}: no finished run is there")
+    series = Series(readings, settings)
+    radii = sorted({r.radius for r in series.readings})
+    factor = series.factor()
+    print(f"D over that of the theory, less one, read at shear time {settings['shear_time']:g}")
+
+    rows, inside = [], []
+    for law in settings["laws"]:
+        slopes = series.slopes(law)
+        limit = extrapolated(slopes, factor) if slopes else math.nan
+        if math.isnan(limit):
+            word = "not judged yet"
+        else:
+            inside.append(abs(limit - 1.0) <= settings["band"])
+            word = "inside" if inside[-1] else "OUTSIDE"
+        rows.append((law, slopes, limit, word))
+    _table(f"slope D/Ca_G at Ca_G = 0, kernel {settings['kernel']}; band {100 * settings['band']:g} %", "law", rows, radii)
+
+    rows = [(kernel, series.kernel_ratios(kernel), None, "") for kernel in settings["kernels"]]
+    rows = [(kernel, ratios, extrapolated(ratios, factor) if ratios else None, "") for kernel, ratios, _, _ in rows]
+    _table(f"kernels, {settings['kernel_law']}, Ca_G = {settings['kernel_capillary_number']:g}", "kernel", rows, radii)
+
+    boxes = sorted(series.boxes(), key=lambda r: r.width)
+    print_rows(
+        f"box, a = {settings['box_radius']:g}: the box of {settings['box_in_radii']:g} a changes D by {_percent(factor) or 'an unknown share'}",
+        ("L/a", "error", "inclination", ""),
+        [(f"{r.width / r.radius:g}", _percent(r.ratio), f"{r.inclination_deg:.2f}", "") for r in boxes],
+    )
+    for r in series.stokes:
+        print(f"without inertia, {r.run}: error {_percent(r.ratio)}, inclination {r.inclination_deg:.2f}")
+    return 0 if all(inside) else 1
