@@ -4,5 +4,5 @@ tanktread_test(fluid_unit
     unit/fluid_force_test.cpp unit/fluid_settings_test.cpp
   LIBRARIES tanktread::fluid)
 tanktread_test(fluid_verification
-  SOURCES verification/fluid_channel_test.cpp
+  SOURCES verification/fluid_channel_test.cpp verification/fluid_taylor_green_test.cpp
   LIBRARIES tanktread::fluid)
