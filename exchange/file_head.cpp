@@ -18,6 +18,7 @@
 
 #include "exchange/vtk_calls.hpp"
 #include "exchange/vtk_files.hpp"
+#include "exchange/whole_file.hpp"
 
 namespace tanktread::exchange {
 namespace {
@@ -126,14 +127,14 @@ void parse_head(vtkXMLDataParser& parser, std::istream& stream, const std::files
   }
 }
 
-void check_head(const std::filesystem::path& file, const std::string& type) {
-  std::ifstream stream(file, std::ios::binary);
+void check_head(const WholeFile& file, const std::string& type) {
+  std::ifstream stream(file.content(), std::ios::binary);
   vtkNew<vtkXMLDataParser> parser;
-  parse_head(*parser, stream, file);
-  check_type(*parser->GetRootElement(), type, file);
-  check_array_types(*parser->GetRootElement(), file);
+  parse_head(*parser, stream, file.name());
+  check_type(*parser->GetRootElement(), type, file.name());
+  check_array_types(*parser->GetRootElement(), file.name());
   stream.clear();
-  check_appended_layout(*parser, stream, file);
+  check_appended_layout(*parser, stream, file.name());
 }
 
 }  // namespace tanktread::exchange

@@ -9,6 +9,8 @@ class vtkXMLDataParser;
 
 namespace tanktread::exchange {
 
+class WholeFile;
+
 /// Parses XML up to its appended data, if it has any. @throws FileError with the parser's words
 void parse_head(vtkXMLDataParser& parser, std::istream& stream, const std::filesystem::path& file);
 
@@ -21,6 +23,6 @@ void parse_head(vtkXMLDataParser& parser, std::istream& stream, const std::files
 ///   bytes missing in between VTK would take other numbers for the array's. Files in other forms are let
 ///   through.
 /// @throws FileError
-void check_head(const std::filesystem::path& file, const std::string& type);
+void check_head(const WholeFile& file, const std::string& type);
 
 }  // namespace tanktread::exchange

@@ -11,8 +11,8 @@
 #include <sstream>
 
 #include "exchange/file_head.hpp"
-#include "exchange/vtk_calls.hpp"
 #include "exchange/vtk_files.hpp"
+#include "exchange/whole_file.hpp"
 
 namespace tanktread::exchange {
 namespace {
@@ -126,8 +126,8 @@ void write_series(const path& file, const std::vector<SeriesEntry>& entries) {
 }
 
 std::vector<SeriesEntry> read_series(const path& file) {
-  check_whole(file);
-  std::ifstream stream(file, std::ios::binary);
+  const WholeFile whole(file);
+  std::ifstream stream(whole.content(), std::ios::binary);
   return parse(stream, file);
 }
 

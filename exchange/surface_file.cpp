@@ -4,6 +4,7 @@
 #include <vtkCellType.h>
 #include <vtkCellTypes.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 
+#include "exchange/meshio_padding.hpp"
 #include "exchange/vtk_arrays.hpp"
 #include "exchange/vtk_calls.hpp"
 #include "exchange/vtk_files.hpp"
@@ -68,6 +70,28 @@ void set_triangles(const SurfacePacket& packet, vtkUnstructuredGrid& grid) {
   grid.SetCells(VTK_TRIANGLE, cells);
 }
 
+/// The lengths in bytes of all arrays, in the order in which VTK writes them.
+std::vector<std::int64_t> lengths_in_file(const SurfacePacket& packet) {
+  std::vector<std::int64_t> lengths;
+  for (const auto* arrays : {&packet.field_data, &packet.point_data, &packet.cell_data}) {
+    for (const auto& array : *arrays) lengths.push_back(8 * static_cast<std::int64_t>(array.values.size()));
+  }
+  const auto n_triangles = static_cast<std::int64_t>(packet.triangles.size() / 3);
+  lengths.push_back(8 * static_cast<std::int64_t>(packet.points.size()));
+  lengths.insert(lengths.end(), {24 * n_triangles, 8 * n_triangles, n_triangles});  // corners, offsets, types
+  return lengths;
+}
+
+void add_padding(const SurfacePacket& packet, vtkUnstructuredGrid& grid) {
+  const auto n_doubles = padding_for_meshio(lengths_in_file(packet));
+  if (!n_doubles) return;
+  vtkNew<vtkDoubleArray> padding;
+  padding->SetName(padding_name);
+  padding->SetNumberOfValues(*n_doubles);
+  padding->Fill(0);
+  grid.GetFieldData()->AddArray(padding);
+}
+
 std::vector<std::int64_t> triangles_of(vtkUnstructuredGrid& grid, const path& file) {
   const auto n_cells = grid.GetNumberOfCells();
   std::vector<std::int64_t> triangles;
@@ -99,6 +123,7 @@ void write_surface(const path& file, const SurfacePacket& packet) {
   set_triangles(packet, *grid);
   add_arrays(packet.point_data, grid->GetNumberOfPoints(), *grid->GetPointData(), "point data", file);
   add_arrays(packet.cell_data, grid->GetNumberOfCells(), *grid->GetCellData(), "cell data", file);
+  add_padding(packet, *grid);
   add_arrays(packet.field_data, any_size, *grid->GetFieldData(), "field data", file);
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   write_with(*writer, *grid, file);
@@ -115,6 +140,7 @@ SurfacePacket read_surface(const path& file, bool convert) {
   }
   packet.point_data = take_arrays(*grid->GetPointData(), convert, "point data", file);
   packet.cell_data = take_arrays(*grid->GetCellData(), convert, "cell data", file);
+  grid->GetFieldData()->RemoveArray(padding_name);
   packet.field_data = take_arrays(*grid->GetFieldData(), convert, "field data", file);
   return packet;
 }

@@ -24,12 +24,12 @@
 #include "exchange/atomic_file.hpp"
 #include "exchange/file_head.hpp"
 #include "exchange/vtk_files.hpp"
+#include "exchange/whole_file.hpp"
 
 namespace tanktread::exchange {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr std::string_view last_element = "</VTKFile>";
 
 /// VTK's "ERROR: In file.cxx, line 12\nvtkClass (0x1234): words\n\n" as "vtkClass: words".
 std::string tidy(const std::string& message) {
@@ -53,17 +53,6 @@ class Collector : public vtkCommand {
 };
 
 std::mutex one_at_a_time;
-
-std::string tail(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary | std::ios::ate);
-  if (!stream) throw FileError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
-  const auto size = std::min<std::streamoff>(stream.tellg(), 64);
-  std::string text(static_cast<std::size_t>(size), '\0');
-  stream.seekg(-size, std::ios::end);
-  stream.read(text.data(), size);
-  text.erase(text.find_last_not_of(" \r\n\t") + 1);
-  return text;
-}
 
 /// Throws what VTK said or, if it failed without a word, its error code.
 void check_outcome(const VtkMessages& messages, unsigned long error_code, const fs::path& file,
@@ -139,9 +128,7 @@ void write_with(vtkXMLWriter& writer, vtkDataObject& data, const fs::path& file)
   const int system_error = errno;
   check_outcome(messages, writer.GetErrorCode(), file, "cannot be written");
   // VTK does not look at the last bytes, which leave its buffer when the stream closes.
-  std::error_code ignored;
-  if (!written || !fs::exists(atomic.temporary(), ignored) ||
-      !tail(atomic.temporary()).ends_with(last_element)) {
+  if (!written || !ends_whole(atomic.temporary())) {
     throw FileError(
         fmt::format("{}: cannot be written: {}", file.string(),
                     system_error != 0 ? std::strerror(system_error) : "the file is not complete"));
@@ -150,13 +137,13 @@ void write_with(vtkXMLWriter& writer, vtkDataObject& data, const fs::path& file)
 }
 
 void read_with(vtkXMLReader& reader, const fs::path& file, const std::string& type) {
-  check_whole(file);
-  check_head(file, type);
+  const WholeFile whole(file);
+  check_head(whole, type);
   VtkMessages messages;
   messages.listen_to(&reader);
   messages.listen_to(reader.GetExecutive());
   messages.listen_to_parser_of(reader);
-  reader.SetFileName(file.c_str());
+  reader.SetFileName(whole.content().c_str());
   try {
     reader.UpdateInformation();
     if (reader.GetXMLParser() && reader.GetXMLParser()->GetCompressor()) {
@@ -168,18 +155,6 @@ void read_with(vtkXMLReader& reader, const fs::path& file, const std::string& ty
     throw FileError(fmt::format("{}: cannot be read: an array is too large for the memory", file.string()));
   }
   check_outcome(messages, reader.GetErrorCode(), file, "cannot be read");
-}
-
-void check_whole(const fs::path& file) {
-  std::error_code error;
-  if (!fs::exists(file, error)) throw FileError(fmt::format("{}: no such file", file.string()));
-  if (fs::is_directory(file, error))
-    throw FileError(fmt::format("{}: is a folder, not a file", file.string()));
-  if (!tail(file).ends_with(last_element)) {
-    throw FileError(
-        fmt::format("{}: does not end with {}: it is cut off, or not a VTK XML file; write or copy it again",
-                    file.string(), last_element));
-  }
 }
 
 }  // namespace tanktread::exchange

@@ -40,7 +40,4 @@ void write_with(vtkXMLWriter& writer, vtkDataObject& data, const std::filesystem
 /// ...). The result is the reader's output. @throws FileError with VTK's own words
 void read_with(vtkXMLReader& reader, const std::filesystem::path& file, const std::string& type);
 
-/// Whether the file is there, readable and whole, by its last element. @throws FileError if not
-void check_whole(const std::filesystem::path& file);
-
 }  // namespace tanktread::exchange

@@ -7,3 +7,10 @@ tanktread_test(exchange_packet_test SOURCES unit/exchange_packet_test.cpp LIBRAR
 tanktread_test(exchange_series_test SOURCES unit/exchange_series_test.cpp LIBRARIES exchange_samples)
 tanktread_test(exchange_reading_test SOURCES unit/exchange_reading_test.cpp LIBRARIES exchange_samples)
 tanktread_test(exchange_atomic_test SOURCES unit/exchange_atomic_test.cpp LIBRARIES exchange_samples)
+tanktread_test(exchange_polling_test SOURCES integration/exchange_polling_test.cpp LIBRARIES exchange_samples)
+
+# With Debian's Python, since python3-meshio is installed for that one.
+set(TANKTREAD_PYTHON /usr/bin/python3 CACHE FILEPATH "Python that has meshio, for the tests")
+tanktread_test(exchange_meshio_test SOURCES integration/exchange_meshio_test.cpp LIBRARIES exchange_samples)
+target_compile_definitions(exchange_meshio_test PRIVATE TANKTREAD_PYTHON="${TANKTREAD_PYTHON}"
+  TANKTREAD_MESHIO_SCRIPT="${CMAKE_CURRENT_SOURCE_DIR}/integration/exchange_meshio.py")
