@@ -6,3 +6,15 @@ tanktread_test(fluid_unit
 tanktread_test(fluid_verification
   SOURCES verification/fluid_channel_test.cpp verification/fluid_taylor_green_test.cpp
   LIBRARIES tanktread::fluid)
+
+# The program that docs/fluid.md shows, taken from there, so that the page cannot show one that does not work.
+set(page ${PROJECT_SOURCE_DIR}/docs/fluid.md)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${page})
+file(READ ${page} example)
+string(REGEX REPLACE "^.*\n```cpp\n" "" example "${example}")
+string(REGEX REPLACE "\n```\n.*$" "\n" example "${example}")
+file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/fluid_example.cpp CONTENT "${example}")
+add_executable(fluid_example ${CMAKE_CURRENT_BINARY_DIR}/fluid_example.cpp)
+tanktread_compile_options(fluid_example)
+target_link_libraries(fluid_example PRIVATE tanktread::fluid)
+add_test(NAME fluid_example COMMAND fluid_example)
