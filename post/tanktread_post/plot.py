@@ -3,6 +3,7 @@
 import pathlib
 
 import matplotlib
+import numpy
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402  (the backend must be chosen first)
@@ -70,24 +71,24 @@ def plot_observables(output, case=None):
 
 
 def plot_small_deformation(output, case):
-    """Writes errors.png: D over that of the theory, less one, against 1/a, a line a kernel. Returns the files."""
+    """Writes errors.png: D over that of the theory, less one, against 1/a, a line a kernel. Returns the files.
+
+    With no finished run of the kernel series there is nothing to draw, and no file.
+    """
     settings = read_comparison(case)["small_deformation"]
     series = small_deformation.Series(small_deformation.read_runs(output, settings["shear_time"]), settings)
+    ratios_of = {kernel: series.kernel_ratios(kernel) for kernel in settings["kernels"]}
+    if not any(ratios_of.values()):
+        return []
     figure, axes = _axes(r"grid steps a radius, inverse  $1/a$", "error of $D$ against the theory  (%)")
-    drawn = False
-    for k, kernel in enumerate(settings["kernels"]):
-        ratios = series.kernel_ratios(kernel)
+    for colour, (kernel, ratios) in zip(COLOURS, ratios_of.items()):
         if not ratios:
             continue
-        drawn = True
         x, y = [1.0 / radius for radius in ratios], [100 * (ratio - 1) for ratio in ratios.values()]
-        axes.plot(x, y, "o", color=COLOURS[k], label=kernel)
+        axes.plot(x, y, "o", color=colour, label=kernel)
         if len(x) > 1:
-            limit = small_deformation.intercept(x, y)
-            slope = (sum(y) / len(y) - limit) / (sum(x) / len(x))
-            axes.plot([0, max(x)], [limit, limit + slope * max(x)], color=COLOURS[k], linewidth=1, alpha=0.6)
-    if not drawn:
-        raise InputError(f"{output}: no finished run of the kernel series is there")
+            line = numpy.polynomial.Polynomial.fit(x, y, 1)
+            axes.plot([0, max(x)], line(numpy.array([0, max(x)])), color=colour, linewidth=1, alpha=0.6)
     axes.axhline(0, color="black", linewidth=0.8)
     axes.set_xlim(left=0)
     axes.legend(frameon=False, title=f"$Ca_G$ = {settings['kernel_capillary_number']:g}, box {settings['box_in_radii']:g} $a$")

@@ -1,0 +1,137 @@
+"""Tests of reading observables and of comparing them with references."""
+
+import contextlib
+import io
+import unittest
+
+import post_fixture
+from post_fixture import InFolder, write_observables, write_run
+
+from tanktread_post import compare, reference, run_folder
+from tanktread_post.observables import Observables
+
+COMPARE = """title = "made for a test"
+source = "paper"
+[[value]]
+name = "deformation"
+shear_time = 1.5
+reference = {reference}
+band = 0.01
+[[value]]
+name = "inclination_deg"
+shear_time = 1.5
+reference = 44.5
+band = {band}
+relative = false
+"""
+
+
+class Reading(InFolder):
+    def test_reads_between_rows_by_a_straight_line(self):
+        write_observables(self.folder, [{"shear_time": 0, "deformation": 0.1}, {"shear_time": 2, "deformation": 0.5}])
+        self.assertAlmostEqual(Observables(self.folder).at("deformation", 0.5), 0.2, delta=1e-15)
+
+    def test_never_reads_beyond_the_end(self):
+        write_observables(self.folder, [{"shear_time": 0, "deformation": 0}, {"shear_time": 2, "deformation": 1}])
+        self.assert_refused(["shear time 2.1 is outside 0 to 2", "--resume"], Observables(self.folder).at, "deformation", 2.1)
+        # The last step lies within half a step of the end: it is the reading at the end.
+        self.assertEqual(Observables(self.folder).at("deformation", 2.0005), 1.0)
+
+    def test_takes_one_capsule(self):
+        rows = [{"shear_time": t, "deformation": 10 * c + t, "capsule": c} for t in (0, 1) for c in (0, 1)]
+        write_observables(self.folder, rows)
+        self.assertEqual(list(Observables(self.folder, capsule=1)["deformation"]), [10, 11])
+        self.assert_refused("no rows of capsule 2", Observables, self.folder, capsule=2)
+
+    def test_leaves_out_a_row_that_was_cut_off(self):
+        write_observables(self.folder, [{"shear_time": 0}, {"shear_time": 1}])
+        with open(self.folder / "observables.csv", "a") as stream:
+            stream.write("2,2.0,0.3")
+        self.assertEqual(list(Observables(self.folder)["shear_time"]), [0, 1])
+
+    def test_says_what_is_missing(self):
+        self.assert_refused("there is no such file", Observables, self.folder)
+        write_observables(self.folder, [{"shear_time": 0}])
+        self.assert_refused(["'deformatoin'", "deformation"], Observables(self.folder).__getitem__, "deformatoin")
+        (self.folder / "observables.csv").write_text("a,b\n1,2\n")
+        self.assert_refused("does not name the columns", Observables, self.folder)
+
+    def test_finished_and_not(self):
+        write_run(self.folder / "done", shear_time=3.0, end=2.9999)
+        write_run(self.folder / "begun", shear_time=3.0, end=2.5)
+        self.assertTrue(run_folder.is_finished(self.folder / "done"))
+        self.assertFalse(run_folder.is_finished(self.folder / "begun"))
+        self.assertFalse(run_folder.is_finished(self.folder / "nowhere"))
+
+
+class References(InFolder):
+    TABLE = "# Source, Table 1\nmesh,bq_s,deformation\n2,0,0.44\n3,0,0.43\n3,10,0.36\n"
+
+    def look_up(self, **where):
+        (self.folder / "table.csv").write_text(self.TABLE)
+        return reference.look_up(self.folder, {"file": "table.csv", "where": where, "column": "deformation"})
+
+    def test_finds_the_one_row(self):
+        self.assertEqual(self.look_up(mesh=3, bq_s=0), 0.43)
+        self.assertEqual(self.look_up(mesh="3", bq_s=10.0), 0.36)
+        self.assertEqual(reference.look_up(self.folder, 0.5), 0.5)
+
+    def test_refuses_none_and_two(self):
+        self.assert_refused("2 rows", self.look_up, mesh=3)
+        self.assert_refused("0 rows", self.look_up, mesh=4)
+
+    def test_every_case_has_its_references(self):
+        cases = sorted(path.parent for path in (post_fixture.ROOT / "cases").glob("*/compare.toml"))
+        self.assertGreaterEqual(len(cases), 3)
+        for case in cases:
+            with self.subTest(case=case.name):
+                reference.read_comparison(case)
+                self.assertTrue((case / "README.md").read_text().startswith("# "))
+
+
+class Comparing(InFolder):
+    def compare(self, text):
+        """Exit code and printed text of a comparison by this compare.toml."""
+        case = self.folder / "case"
+        case.mkdir(exist_ok=True)
+        (case / "compare.toml").write_text(text)
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            code = compare.compare(self.folder / "run", case)
+        return code, printed.getvalue()
+
+    def test_inside_and_outside(self):
+        write_run(self.folder / "run", deformation=0.404, inclination=44.0)
+        # 0.404 is 1 % (0.9999...) above 0.4 and 1.003 % above 0.39999; 44.0 is 0.5 below 44.5.
+        for value, band, code in ((0.4001, 0.6, 0), (0.3999, 0.6, 1), (0.4001, 0.4, 1)):
+            with self.subTest(reference=value, band=band):
+                self.assertEqual(self.compare(COMPARE.format(reference=value, band=band))[0], code)
+        text = self.compare(COMPARE.format(reference=0.3999, band=0.6))[1]
+        for word in ("paper", "0.404000", "+1.03 %", "1.00 %", "OUTSIDE", "-0.5000", "inside"):
+            self.assertIn(word, text)
+
+    def test_a_value_that_is_not_a_number_is_outside(self):
+        write_run(self.folder / "run", deformation=float("nan"))
+        self.assertEqual(self.compare(COMPARE.format(reference=0.4, band=9))[0], 1)
+
+    def test_without_a_band_nothing_is_judged(self):
+        write_run(self.folder / "run", deformation=9.0)
+        code, text = self.compare('title = ""\n[[value]]\nname = "deformation"\nshear_time = 1\nreference = 0.4\n')
+        self.assertEqual(code, 0)
+        self.assertIn("shown only", text)
+
+    def test_runs_side_by_side(self):
+        change = '[[change]]\nname = "deformation"\nshear_time = 1\nfrom = "a"\nto = "{to}"\nband = 0.003\n'
+        value = '[[value]]\nrun = "c"\nname = "deformation"\nshear_time = 1\nreference = 1.0\n'
+        write_run(self.folder / "run/a", deformation=0.4)
+        write_run(self.folder / "run/b", deformation=0.4011)
+        write_run(self.folder / "run/d", deformation=0.4013)
+        code, text = self.compare('title = ""\n' + change.format(to="b") + value)
+        self.assertEqual(code, 0)
+        self.assertIn("not run yet: c: deformation", text)
+        self.assertEqual(self.compare('title = ""\n' + change.format(to="d"))[0], 1)
+        self.assert_refused("none of the runs", self.compare, 'title = ""\n' + value)
+
+
+if __name__ == "__main__":
+    unittest.main()

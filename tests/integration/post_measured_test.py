@@ -1,0 +1,50 @@
+"""Tests of measured results: what is added, replaced, refused."""
+
+import unittest
+
+from post_fixture import InFolder, write_run
+
+from tanktread_post import measured, reference
+
+LOG = """time   3.000 of 3.000  D 0.0400  inclination  44.00 deg  50.0 MLUPS  0 s left
+cost: fluid 91.5 %, coupler 7.0 %, membrane 1.5 % of 1 min 00 s
+ended at step 14400 with 48.5 MLUPS; results are in out
+"""
+
+
+class Measured(InFolder):
+    def add(self, run, deformation, commit="abc", times=(1.5, 3.0), log=None, **options):
+        write_run(self.folder / run, deformation=deformation, **options)
+        (self.folder / "case").mkdir(exist_ok=True)
+        return measured.add(self.folder / "case", self.folder / run, run, times, f"cases/run case {run}", commit, log)
+
+    def test_rows_have_command_commit_and_date(self):
+        (self.folder / "log").write_text(LOG)
+        file = self.add("a", 0.04, log=self.folder / "log")
+        lines = file.read_text().splitlines()
+        self.assertRegex(lines[1], r"^# \d{4}-\d\d-\d\d, commit abc: cases/run case a$")
+        rows = reference.read_table(file)
+        self.assertEqual([row["shear_time"] for row in rows], ["1.5", "3"])
+        self.assertEqual(rows[0]["deformation"], "0.04")
+        self.assertEqual(rows[0]["box"], "72 x 72 x 72")
+        self.assertEqual(rows[0]["shear_rate_by"], "reynolds_number 0.1")
+        self.assertEqual([rows[0][name] for name in measured.COST], ["48.5", "91.5", "7", "1.5"])
+
+    def test_measuring_again_replaces_that_run_only(self):
+        self.add("a", 0.04, commit="one")
+        self.add("b", 0.05, commit="two")
+        file = self.add("a", 0.06, commit="three")
+        text = file.read_text()
+        self.assertNotIn("commit one", text)
+        self.assertEqual({row["run"]: row["deformation"] for row in reference.read_table(file)}, {"a": "0.06", "b": "0.05"})
+        self.assertEqual(text.count("# "), 2)
+
+    def test_refuses_a_run_that_is_not_finished(self):
+        self.assert_refused(["not finished", "--resume"], self.add, "a", 0.04, end=1.0)
+
+    def test_commit_outside_a_checkout_is_unknown(self):
+        self.assertEqual(measured.commit_of(self.folder), "unknown")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,104 @@
+"""Tests of the comparison with the limit of small deformation, on runs made by the formula it assumes."""
+
+import contextlib
+import io
+import unittest
+
+from post_fixture import InFolder, write_run
+
+from tanktread_post import plot, small_deformation
+
+SETTINGS = """title = "made for a test"
+[small_deformation]
+shear_time = 3.0
+band = 0.02
+laws = ["skalak", "neo-hookean"]
+kernel = "cosine4"
+kernels = ["cosine4", "roma3"]
+kernel_law = "skalak"
+kernel_capillary_number = 0.02
+box_in_radii = 9
+box_radius = 8.0
+"""
+SECOND_ORDER, RESOLUTION, BOX = -6.0, 0.6, 9.0  # k, r, w of the formula in small_deformation.py
+
+
+class SmallDeformation(InFolder):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "case").mkdir()
+        (self.folder / "case/compare.toml").write_text(SETTINGS)
+
+    def run_of(self, name, law="skalak", number=0.02, radius=8.0, width=72, factor=1.0, kernel="cosine4", **more):
+        """A run that follows the formula, times a factor."""
+        theory = 25 / 12 * number
+        ratio = (1 + SECOND_ORDER * number**2) * (1 + RESOLUTION / radius) * (1 + BOX * (radius / width) ** 3) * factor
+        folder = self.folder / "out" / name
+        write_run(folder, deformation=theory * ratio, law=law, capillary_number=number, radius=radius, width=width, kernel=kernel, **more)
+
+    def runs(self, factor=1.0):
+        for law in ("skalak", "neo-hookean"):
+            for radius, width in ((5.0, 45), (8.0, 72), (10.0, 90)):
+                for number in (0.005, 0.02, 0.05):
+                    self.run_of(f"{law}-{radius}-{number}", law, number, radius, width, factor)
+        for width in (48, 96):
+            self.run_of(f"box-{width}", width=width, factor=factor)
+
+    def compare(self):
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            code = small_deformation.compare(self.folder / "out", self.folder / "case")
+        return code, printed.getvalue()
+
+    def test_theory(self):
+        skalak = {"elastic_law": "skalak", "capillary_number": 0.3, "capillary_modulus": "G_s", "area_ratio": 1.0}
+        self.assertAlmostEqual(small_deformation.theory(skalak), 25 / 12 * 0.3, delta=1e-15)
+        self.assertAlmostEqual(small_deformation.theory(skalak | {"capillary_modulus": "E_s"}), 25 / 12 * 0.6, delta=1e-15)
+        # C = 10: K_s = 21 G_s.
+        self.assertAlmostEqual(small_deformation.theory(skalak | {"area_ratio": 10}), 5 / 8 * 0.3 * (3 + 1 / 21), delta=1e-15)
+        # nu_s = 1/2: K_s = 3 G_s.
+        hookean = {"elastic_law": "hookean", "capillary_number": 0.3, "capillary_modulus": "G_s", "poisson_ratio": 0.5}
+        self.assertAlmostEqual(small_deformation.theory(hookean), 25 / 12 * 0.3, delta=1e-15)
+        self.assert_refused("no shear modulus", small_deformation.theory, hookean | {"capillary_modulus": "gamma"})
+
+    def test_the_limits_of_the_formula_are_found(self):
+        self.runs()
+        series = small_deformation.Series(small_deformation.read_runs(self.folder / "out", 3.0), dict(SETTINGS_VALUES))
+        # The lines in Ca_G^2, 1/a and (a/L)^3 are exact here, so only rounding is left: a condition of some 100
+        # of the least-squares fits times the 1e-16 of a double.
+        for law in ("skalak", "neo-hookean"):
+            self.assertAlmostEqual(small_deformation.extrapolated(series.slopes(law), series.factor()), 1.0, delta=1e-12)
+            self.assertAlmostEqual(series.slopes(law)[8.0], (1 + RESOLUTION / 8) * (1 + BOX / 9**3), delta=1e-12)
+        self.assertAlmostEqual(series.factor(), 1 + BOX / 9**3, delta=1e-12)
+
+    def test_judges_by_the_band(self):
+        for factor, code in ((1.019, 0), (1.021, 1), (0.981, 0), (0.979, 1)):
+            with self.subTest(factor=factor):
+                self.runs(factor)
+                self.assertEqual(self.compare()[0], code)
+        self.assertIn("OUTSIDE", self.compare()[1])
+
+    def test_shows_what_is_there(self):
+        self.run_of("one")
+        self.run_of("roma", kernel="roma3", factor=1.1)
+        self.run_of("stokes", inertia=False, factor=1.2)
+        self.run_of("unfinished", number=0.05, end=1.0)
+        code, text = self.compare()
+        self.assertEqual(code, 0)
+        at_8 = (1 + SECOND_ORDER * 0.02**2) * (1 + RESOLUTION / 8) * (1 + BOX / 9**3)
+        for word in ("not judged yet", f"{100 * (at_8 - 1):+.2f} %", f"{100 * (1.1 * at_8 - 1):+.2f} %", f"{100 * (1.2 * at_8 - 1):+.2f} %"):
+            self.assertIn(word, text)
+        files = plot.plot_small_deformation(self.folder / "out", self.folder / "case")
+        self.assertGreater(files[0].stat().st_size, 1000)
+
+    def test_says_that_nothing_is_there(self):
+        self.assert_refused("no finished run", small_deformation.compare, self.folder / "out", self.folder / "case")
+
+
+SETTINGS_VALUES = {
+    "kernel": "cosine4", "kernel_law": "skalak", "kernel_capillary_number": 0.02, "box_in_radii": 9, "box_radius": 8.0,
+}  # fmt: skip
+
+
+if __name__ == "__main__":
+    unittest.main()
