@@ -13,11 +13,12 @@ namespace {
 using exchange::Array;
 constexpr double schema_version = 1;
 
-exchange::GridPacket to_packet(const fluid::State& state, const fluid::GridShape& shape) {
+exchange::GridPacket to_packet(fluid::State state, const fluid::GridShape& shape) {
   exchange::GridPacket packet;
   packet.nodes = {shape.nx, shape.ny, shape.nz};
-  for (const auto& array : state.arrays)
-    packet.point_data.push_back({array.name, array.components, array.values});
+  for (auto& array : state.arrays) {
+    packet.point_data.push_back({array.name, array.components, std::move(array.values)});
+  }
   packet.field_data = {{"step", 1, {static_cast<double>(state.step)}},
                        {"schema_version", 1, {schema_version}}};
   return packet;

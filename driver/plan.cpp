@@ -50,8 +50,8 @@ Cost predict_cost(const Case& the_case, const Parameters& parameters,
   cost.mlups = measure_speed(the_case, parameters, meshes);
   const double n_steps = static_cast<double>(steps_of(the_case.run.shear_time, parameters));
   if (cost.mlups > 0) cost.run_seconds = 1e-6 * n_steps * n_nodes / cost.mlups;
-  // Beside the lattice: force flags and the coupler's marks (4 bytes a node), about 2 kB a membrane node.
-  cost.memory_bytes = n_nodes * (fluid::lattice_boltzmann_memory_per_node + 4) + 2048 * membrane_nodes;
+  // The lattice, once more while a checkpoint is written; about 2 kB a membrane node.
+  cost.memory_bytes = 2 * n_nodes * fluid::lattice_boltzmann_memory_per_node + 2048 * membrane_nodes;
 
   double fluid_output_nodes = n_nodes;
   if (the_case.output.fluid_box) {
