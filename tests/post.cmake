@@ -1,0 +1,26 @@
+# Tests in Python: post/, the scripts of cases/, the include graph. Included by tests/CMakeLists.txt in a build of everything.
+# Debian's Python, whatever else is in PATH: the packages are installed for it.
+set(TANKTREAD_PYTHON /usr/bin/python3 CACHE FILEPATH "Python with numpy, matplotlib, meshio and VTK")
+find_program(TANKTREAD_XVFB_RUN xvfb-run)
+
+# tanktread_python_test(NAME [DISPLAY]): integration/NAME_test.py; with DISPLAY on a display of its own.
+function(tanktread_python_test name)
+  cmake_parse_arguments(arg "DISPLAY" "" "" ${ARGN})
+  set(display)
+  if(arg_DISPLAY AND TANKTREAD_XVFB_RUN)
+    set(display ${TANKTREAD_XVFB_RUN} --auto-servernum)
+  endif()
+  add_test(NAME python.${name}
+    COMMAND ${display} ${TANKTREAD_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/integration/${name}_test.py -v)
+  set_tests_properties(python.${name} PROPERTIES TIMEOUT 600 ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1;OMP_NUM_THREADS=1")
+endfunction()
+
+tanktread_python_test(cases_run)
+tanktread_python_test(include_graph)
+tanktread_python_test(post_compare)
+tanktread_python_test(post_measured)
+tanktread_python_test(post_picture DISPLAY)
+tanktread_python_test(post_small_deformation)
+
+add_test(NAME include_graph
+  COMMAND ${TANKTREAD_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/integration/include_graph.py ${PROJECT_SOURCE_DIR})
