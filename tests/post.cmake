@@ -3,18 +3,19 @@
 set(TANKTREAD_PYTHON /usr/bin/python3 CACHE FILEPATH "Python with numpy, matplotlib, meshio and VTK")
 find_program(TANKTREAD_XVFB_RUN xvfb-run)
 
-# tanktread_python_test(NAME [DISPLAY]): integration/NAME_test.py; with DISPLAY on a display of its own.
+# tanktread_python_test(NAME [DISPLAY] [ARGUMENTS ...]): integration/NAME_test.py; with DISPLAY on a display of its own.
 function(tanktread_python_test name)
-  cmake_parse_arguments(arg "DISPLAY" "" "" ${ARGN})
+  cmake_parse_arguments(arg "DISPLAY" "" "ARGUMENTS" ${ARGN})
   set(display)
   if(arg_DISPLAY AND TANKTREAD_XVFB_RUN)
     set(display ${TANKTREAD_XVFB_RUN} --auto-servernum)
   endif()
   add_test(NAME python.${name}
-    COMMAND ${display} ${TANKTREAD_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/integration/${name}_test.py -v)
+    COMMAND ${display} ${TANKTREAD_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/integration/${name}_test.py ${arg_ARGUMENTS} -v)
   set_tests_properties(python.${name} PROPERTIES TIMEOUT 600 ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1;OMP_NUM_THREADS=1")
 endfunction()
 
+tanktread_python_test(cases_plan ARGUMENTS $<TARGET_FILE:tanktread>)
 tanktread_python_test(cases_run)
 tanktread_python_test(include_graph)
 tanktread_python_test(post_compare)

@@ -1,0 +1,52 @@
+"""Every case of cases/ is one that the program accepts. Usage: cases_plan_test.py TANKTREAD [unittest arguments]."""
+
+import subprocess
+import sys
+import unittest
+
+from post_fixture import ROOT
+
+from tanktread_post import reference
+
+LARGEST_BOX = 100  # nodes across: `plan` runs a few steps, which should take a second
+
+
+def new_values(rows):
+    """The rows that have a value of some key which no row before them has: enough to try every value once."""
+    seen, chosen = set(), []
+    for row in rows:
+        values = {(key, value) for key, value in row.items() if key not in ("run", "groups") and value}
+        if values - seen:
+            chosen.append(row)
+            seen |= values
+    return chosen
+
+
+class CasesPlan(unittest.TestCase):
+    def plan(self, case, row):
+        keys = [f"--set={key}={value}" for key, value in row.items() if key not in ("run", "groups") and value]
+        ended = subprocess.run([PROGRAM, "plan", case / "case.toml", *keys], capture_output=True, text=True)
+        self.assertEqual(ended.returncode, 0, f"{case.name} {row}: {ended.stderr}")
+
+    def test_case_files(self):
+        cases = sorted(path.parent for path in (ROOT / "cases").glob("*/case.toml"))
+        self.assertGreaterEqual(len(cases), 3)
+        for case in cases:
+            with self.subTest(case=case.name):
+                self.plan(case, {})
+
+    def test_runs(self):
+        for file in sorted((ROOT / "cases").glob("*/runs.csv")):
+            rows = reference.read_table(file)
+            self.assertEqual(list(rows[0])[:2], ["run", "groups"])
+            self.assertEqual(len({row["run"] for row in rows}), len(rows), f"{file}: two runs of one name")
+            for row in new_values(rows):
+                box = row.get("flow.box") or "[0]"
+                if int(box.strip("[]").split(",")[0]) <= LARGEST_BOX:
+                    with self.subTest(case=file.parent.name, run=row["run"]):
+                        self.plan(file.parent, row)
+
+
+if __name__ == "__main__":
+    PROGRAM = sys.argv.pop(1)
+    unittest.main()
