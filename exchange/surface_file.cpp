@@ -52,8 +52,7 @@ void set_points(const SurfacePacket& packet, vtkUnstructuredGrid& grid) {
   coordinates->SetArray(const_cast<double*>(packet.points.data()),
                         static_cast<vtkIdType>(packet.points.size()), 1);
   vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();  // vtkPoints is of float unless told
-  points->SetData(coordinates);
+  points->SetData(coordinates);  // which makes them double; vtkPoints of its own is float
   grid.SetPoints(points);
 }
 

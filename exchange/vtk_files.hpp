@@ -18,14 +18,21 @@ class FileError : public std::runtime_error {
 };
 
 /// Writes a packet as appended raw doubles, which keep every bit (NaN, inf and subnormals too). The file is
-/// written under a temporary name beside its place and then renamed, so that a reader never sees half a file.
-/// @throws FileError
+/// written under a temporary name beside its place, brought to the disk, and renamed, so that a reader never
+/// sees half a file; if anything fails the old file stays and the temporary one goes. The packet is not
+/// copied.
+/// @throws FileError if the file cannot be written or the packet is not what packet.hpp says: wrong number of
+/// values, node numbers that are not there, names that are empty, repeated or not printable ASCII without < >
+/// & "
 void write_surface(const std::filesystem::path& file, const SurfacePacket& packet);
 void write_grid(const std::filesystem::path& file, const GridPacket& packet);
 
-/// Reads a packet back; arrays of other types than double are refused unless `convert` is set (files made
-/// elsewhere).
-/// @throws FileError (missing, not that kind of file, cells that are not triangles, ...)
+/// Reads a packet back, the arrays in the order in which they were written. `convert` is for files made
+/// elsewhere: with it numbers of other types are widened to double and text is left out; without it both are
+/// errors.
+/// @throws FileError if the file is missing, cut off, damaged or of another kind; for a surface, cells that
+/// are not triangles; for a grid, axes that are turned or cell data; with `convert`, integers of 2^53 and
+/// more, which a double does not hold
 SurfacePacket read_surface(const std::filesystem::path& file, bool convert = false);
 GridPacket read_grid(const std::filesystem::path& file, bool convert = false);
 
@@ -35,8 +42,11 @@ struct SeriesEntry {
   std::string file;
 };
 /// Writes a .pvd collection (temporary name, then rename). A series that is continued is read first, then
-/// written whole.
+/// written whole. Times are written with 17 significant digits, which name one double only.
+/// @throws FileError, also for a time that is not finite and a name that XML cannot hold (control characters,
+/// broken UTF-8)
 void write_series(const std::filesystem::path& file, const std::vector<SeriesEntry>& entries);
+/// The entries in the order of the file. @throws FileError
 std::vector<SeriesEntry> read_series(const std::filesystem::path& file);
 
 /// Writes any text under a temporary name, then renames it into place. @throws FileError

@@ -37,6 +37,18 @@ fs::path name_of(int descriptor, const fs::path& file) {
   return fs::exists(name, error) ? name : file;
 }
 
+/// Whether the file's last element is that of VTK's files.
+bool ends_whole(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  if (!stream) return false;
+  const auto size = std::min<std::streamoff>(stream.tellg(), 64);
+  std::string text(static_cast<std::size_t>(size), '\0');
+  stream.seekg(-size, std::ios::end);
+  stream.read(text.data(), size);
+  text.erase(text.find_last_not_of(" \r\n\t") + 1);
+  return text.ends_with(last_element);
+}
+
 }  // namespace
 
 WholeFile::WholeFile(fs::path name) : name_(std::move(name)), descriptor_(open_to_read(name_)) {
@@ -51,17 +63,6 @@ WholeFile::WholeFile(fs::path name) : name_(std::move(name)), descriptor_(open_t
 
 WholeFile::~WholeFile() {
   ::close(descriptor_);
-}
-
-bool ends_whole(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary | std::ios::ate);
-  if (!stream) return false;
-  const auto size = std::min<std::streamoff>(stream.tellg(), 64);
-  std::string text(static_cast<std::size_t>(size), '\0');
-  stream.seekg(-size, std::ios::end);
-  stream.read(text.data(), size);
-  text.erase(text.find_last_not_of(" \r\n\t") + 1);
-  return text.ends_with(last_element);
 }
 
 }  // namespace tanktread::exchange

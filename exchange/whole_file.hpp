@@ -25,7 +25,4 @@ class WholeFile {
   int descriptor_;
 };
 
-/// Whether the file's last element is that of VTK's files.
-bool ends_whole(const std::filesystem::path& file);
-
 }  // namespace tanktread::exchange
