@@ -63,7 +63,7 @@ class SmallDeformation(InFolder):
 
     def test_the_limits_of_the_formula_are_found(self):
         self.runs()
-        series = small_deformation.Series(small_deformation.read_runs(self.folder / "out", 3.0), dict(SETTINGS_VALUES))
+        series = small_deformation.Series(small_deformation.read_runs(self.folder / "out", 3.0), SETTINGS_VALUES)
         # The lines in Ca_G^2, 1/a and (a/L)^3 are exact here, so only rounding is left: a condition of some 100
         # of the least-squares fits times the 1e-16 of a double.
         for law in ("skalak", "neo-hookean"):
@@ -88,6 +88,8 @@ class SmallDeformation(InFolder):
         at_8 = (1 + SECOND_ORDER * 0.02**2) * (1 + RESOLUTION / 8) * (1 + BOX / 9**3)
         for word in ("not judged yet", f"{100 * (at_8 - 1):+.2f} %", f"{100 * (1.1 * at_8 - 1):+.2f} %", f"{100 * (1.2 * at_8 - 1):+.2f} %"):
             self.assertIn(word, text)
+        series = small_deformation.Series(small_deformation.read_runs(self.folder / "out", 3.0), SETTINGS_VALUES)
+        self.assertAlmostEqual(series.kernel_ratios("cosine4")[8.0], at_8, delta=1e-12)
         files = plot.plot_small_deformation(self.folder / "out", self.folder / "case")
         self.assertGreater(files[0].stat().st_size, 1000)
 
