@@ -86,9 +86,11 @@ def plot_small_deformation(output, case):
             continue
         x, y = [1.0 / radius for radius in ratios], [100 * (ratio - 1) for ratio in ratios.values()]
         axes.plot(x, y, "o", color=colour, label=kernel)
-        if len(x) > 1:
-            line = numpy.polynomial.Polynomial.fit(x, y, 1)
-            axes.plot([0, max(x)], line(numpy.array([0, max(x)])), color=colour, linewidth=1, alpha=0.6)
+        fine = [k for k, radius in enumerate(ratios) if radius >= settings["least_radius"]]
+        if len(fine) > 1:
+            line = numpy.polynomial.Polynomial.fit([x[k] for k in fine], [y[k] for k in fine], 1)
+            ends = numpy.array([0, max(x)])
+            axes.plot(ends, line(ends), color=colour, linewidth=1, alpha=0.6)
     axes.axhline(0, color="black", linewidth=0.8)
     axes.set_xlim(left=0)
     axes.legend(frameon=False, title=f"$Ca_G$ = {settings['kernel_capillary_number']:g}, box {settings['box_in_radii']:g} $a$")

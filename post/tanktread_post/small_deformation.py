@@ -6,7 +6,8 @@ A run differs from it by its capillary number, its resolution and its box:
     D = D_theory (1 + k Ca_G^2) (1 + r/a) (1 + w (a/L)^3).
 - Ca_G: at the next order the shape gains a part along the flow axes, at right angles (in the plane of shapes) to
   the first, so D changes by a share of Ca_G^2 only. The slope D/Ca_G at Ca_G = 0 comes from a line in Ca_G^2.
-- a (grid steps): the immersed boundary is of first order in the grid step, so a line in 1/a.
+- a (grid steps): the immersed boundary is of first order in the grid step, so a line in 1/a. Coarse grids, on which
+  the next order shows, are left out of the line: it begins at the `least_radius` of compare.toml.
 - L: a capsule is a stresslet, whose velocity falls like 1/r^2; walls and periodic images at a distance L
   change the shear rate that it sees by a share of (a/L)^3.
 """
@@ -157,9 +158,10 @@ class Series:
         return box_factor(self.boxes(), self.settings["box_in_radii"])
 
 
-def extrapolated(ratios, factor):
-    """The ratio at 1/a = 0 in an unbounded fluid, of {radius: ratio}."""
-    return intercept([1.0 / radius for radius in ratios], list(ratios.values())) / factor
+def extrapolated(ratios, factor, least_radius):
+    """The ratio at 1/a = 0 in an unbounded fluid, of {radius: ratio}, from the radii of at least `least_radius`."""
+    fine = {radius: ratio for radius, ratio in ratios.items() if radius >= least_radius}
+    return intercept([1.0 / radius for radius in fine], list(fine.values())) / factor
 
 
 def _percent(ratio):
@@ -186,7 +188,7 @@ def compare(output, case):
     rows, inside = [], []
     for law in settings["laws"]:
         slopes = series.slopes(law)
-        limit = extrapolated(slopes, factor) if slopes else math.nan
+        limit = extrapolated(slopes, factor, settings["least_radius"])
         if math.isnan(limit):
             word = "not judged yet"
         else:
@@ -195,8 +197,10 @@ def compare(output, case):
         rows.append((law, slopes, limit, word))
     _table(f"slope D/Ca_G at Ca_G = 0, kernel {settings['kernel']}; band {100 * settings['band']:g} %", "law", rows, radii)
 
-    rows = [(kernel, series.kernel_ratios(kernel), None, "") for kernel in settings["kernels"]]
-    rows = [(kernel, ratios, extrapolated(ratios, factor) if ratios else None, "") for kernel, ratios, _, _ in rows]
+    rows = []
+    for kernel in settings["kernels"]:
+        ratios = series.kernel_ratios(kernel)
+        rows.append((kernel, ratios, extrapolated(ratios, factor, settings["least_radius"]), ""))
     _table(f"kernels, {settings['kernel_law']}, Ca_G = {settings['kernel_capillary_number']:g}", "kernel", rows, radii)
 
     boxes = sorted(series.boxes(), key=lambda r: r.width)
