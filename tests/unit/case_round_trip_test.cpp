@@ -1,0 +1,137 @@
+// The echo of a case is a case: read back it equals the case, to the last bit.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "driver/schema.hpp"
+#include "tests/unit/case_samples.hpp"
+
+namespace {
+
+using namespace tanktread::driver;
+using namespace tanktread::testing;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+void expect_round_trip(const Case& the_case) {
+  const auto toml = to_toml(the_case);
+  const auto name = the_case.file.filename().string();
+  const auto again = parse_case(toml, name, the_case.file.parent_path());
+  EXPECT_TRUE(again == the_case) << toml;
+  EXPECT_EQ(to_toml(again), toml);
+}
+
+TEST(CaseRoundTrip, EveryKindOfCase) {
+  for (const auto& text : {least_case, full_case, droplet_case, si_case}) expect_round_trip(parse(text));
+}
+
+TEST(CaseRoundTrip, WithAssignments) {
+  const std::vector<std::vector<std::string>> all = {
+      {"flow.kind=poiseuille", "flow.wall_axis=x", "flow.flow_axis=y", "capsule.0.position.2=3"},
+      {"flow.collision=bgk"},
+      {"membrane.elastic_law=neo-hookean"},
+      {"membrane.elastic_law=hookean", "membrane.poisson_ratio=-0.25"},
+      {"membrane.elastic_law=interfacial-tension"},
+      {"membrane.capillary_modulus=G_s", "membrane.area_ratio=0"},
+      {"output.fluid_box=[[0, 0], [3, 7], [0, 43]]", "output.observables_every=0"},
+      {"membrane.viscous={boussinesq_shear = 10, spring_stiffness = 100, interval = 20}"},
+      {"membrane.viscous={strain_sampling = \"moving-average\", stress_measure = \"rate-of-strain\"}"},
+      {"membrane.viscous={spring_relaxation_time = 0.01, spring_modulus_dilatational = 2e-3}"},
+  };
+  for (const auto& assignments : all) expect_round_trip(parse(least_case, assignments));
+}
+
+TEST(CaseRoundTrip, WithPhysicalValues) {
+  const std::vector<std::vector<std::string>> all = {
+      {"flow.reynolds_number=0.1"},
+      {"flow.wall_speed=0.01"},
+      {"flow.kind=periodic", "flow.shear_rate=1e-4"},
+      {"si.membrane_shear_viscosity_N_s_per_m=3e-7", "si.membrane_dilatational_viscosity_N_s_per_m=1e-7"},
+      {"si.density_kg_per_m3=997.0479"},
+  };
+  for (const auto& assignments : all) expect_round_trip(parse(si_case, assignments));
+  auto droplet = si_case;
+  const std::string modulus = "shear_modulus_N_per_m";
+  droplet.replace(droplet.find(modulus), modulus.size(), "interfacial_tension_N_per_m");
+  expect_round_trip(parse(droplet, {"membrane.elastic_law=interfacial-tension"}));
+}
+
+TEST(CaseRoundTrip, WithAMeshFile) {
+  const auto folder = std::filesystem::temp_directory_path() / "tanktread-round-trip-test \"quoted\"";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "cell.vtu") << "only its presence is looked at";
+  expect_round_trip(parse_case(least_case, "case.toml", folder, {"capsule.0.mesh.file=cell.vtu"}));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(CaseRoundTrip, EveryDoubleSurvives) {
+  for (const double value : {1.0 / 3.0, 0.1, 1e-300, 5e-324, 1e22, 1.7976931348623157e308, 123456789.0,
+                             std::nextafter(1.0, 2.0)}) {
+    auto the_case = parse(least_case);
+    the_case.run.shear_time = value;
+    EXPECT_EQ(parse(to_toml(the_case)).run.shear_time, value);
+  }
+}
+
+TEST(CaseRoundTrip, EveryTextSurvives) {
+  for (const std::string title :
+       {"", "a \"quote\"", "back\\slash", "two\nlines\r\n", "tab\t", "\x01\x7f", "'", "µ # ="}) {
+    auto the_case = parse(least_case);
+    the_case.title = title;
+    EXPECT_EQ(parse(to_toml(the_case)).title, title);
+  }
+}
+
+TEST(CaseRoundTrip, EveryKeyThatHasAPlaceIsWritten) {
+  const auto toml = to_toml(parse(full_case));
+  for (const auto* key :
+       {"wall_axis", "inertia", "speed_limit", "mesh.level", "viscosity_ratio", "membrane.viscous.scheme",
+        "membrane.poisson_ratio", "checkpoint_every", "fluid_box"}) {
+    EXPECT_THAT(toml, HasSubstr(std::string(key) + " = "));
+  }
+  EXPECT_THAT(toml, Not(HasSubstr("\n[si]")));
+  EXPECT_THAT(toml, Not(HasSubstr("\nreynolds_number")));
+}
+
+TEST(CaseRoundTrip, CasesDifferWhereOneKeyDiffers) {
+  // So that the equality above means something.
+  const auto the_case = parse(full_case);
+  for (const auto& key : schema()) {
+    auto other = the_case;
+    const auto value = key.get(the_case, 1);
+    if (key.kind == Kind::real && key.path.find("si.") != 0) key.set(other, 1, 0.777);
+    if (key.kind == Kind::integer) key.set(other, 1, 77);
+    if (key.kind == Kind::text)
+      key.set(other, 1, key.choices.empty() ? std::string("x") : key.choices.front());
+    EXPECT_EQ(other == the_case, key.get(other, 1) == value) << key.path;
+  }
+}
+
+TEST(CaseOverrides, ACapsulesOwnTableOverridesKeyByKey) {
+  const auto the_case = parse(full_case);
+  ASSERT_EQ(the_case.capsules.size(), 2u);
+  const auto &first = the_case.capsules[0].membrane, &second = the_case.capsules[1].membrane;
+  EXPECT_EQ(first.elastic_law, "skalak");
+  EXPECT_EQ(first.area_ratio, 10.5);
+  EXPECT_EQ(first.capillary_modulus, "E_s");
+  EXPECT_EQ(second.elastic_law, "hookean");
+  EXPECT_EQ(second.poisson_ratio, 0.3);
+  EXPECT_EQ(second.capillary_number, 0.1);                  // from [membrane]
+  EXPECT_EQ(second.area_ratio, MembraneCase().area_ratio);  // a Hookean membrane has none: not inherited
+  EXPECT_EQ(second.capillary_modulus, "G_s");
+}
+
+TEST(CaseOverrides, TheModulusFollowsTheLaw) {
+  const std::pair<const char*, const char*> all[] = {
+      {"skalak", "E_s"}, {"neo-hookean", "G_s"}, {"hookean", "G_s"}, {"interfacial-tension", "gamma"}};
+  for (const auto& [law, modulus] : all) {
+    EXPECT_EQ(parse(least_case, {std::string("membrane.elastic_law=") + law})
+                  .capsules[0]
+                  .membrane.capillary_modulus,
+              modulus);
+  }
+}
+
+}  // namespace

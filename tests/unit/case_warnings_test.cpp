@@ -1,0 +1,115 @@
+// Warnings: each comes on its side of its bound, and not on the other.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "driver/units.hpp"
+#include "tests/unit/case_samples.hpp"
+
+namespace {
+
+using namespace tanktread::driver;
+using namespace tanktread::testing;
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+/// 2000 steps a shear time: g = 2 U0/L = 5e-4, so every default interval is a whole number of steps; Re =
+/// 0.108.
+const std::string quiet_case = R"([flow]
+box = [40, 40, 40]
+wall_speed = 0.01
+[[capsule]]
+radius = 6
+position = [20, 20, 20]
+[membrane]
+capillary_number = 0.3
+)";
+
+std::vector<std::string> warnings_of(const std::vector<std::string>& assignments,
+                                     const std::vector<double>& mean_edges = {}) {
+  const auto the_case = parse(quiet_case, assignments);
+  return warnings(the_case, parameters(the_case), mean_edges);
+}
+
+TEST(CaseWarnings, NoneWithoutReason) {
+  EXPECT_THAT(warnings_of({}, {1.0}), IsEmpty());
+}
+
+struct Warned {
+  std::vector<std::string> fine, warned;
+  std::string message, key;
+};
+
+TEST(CaseWarnings, OneOnEachSideOfItsBound) {
+  // Mach = U0 sqrt(3) = 0.1 at U0 = 0.0577; Re = 2 U0/40 * 36/nu, with nu = 1/6 + (tau+ - 1)/3.
+  const std::vector<Warned> all = {
+      {{"flow.wall_speed=0.0577"}, {"flow.wall_speed=0.0578"}, "Mach number 0.1", "flow.wall_speed"},
+      {{"flow.relaxation_time=0.55"}, {"flow.relaxation_time=0.549"}, "below 0.55", "flow.relaxation_time"},
+      {{"flow.relaxation_time=2"}, {"flow.relaxation_time=2.01"}, "over 2", "flow.relaxation_time"},
+      {{"flow.speed_limit=0.011"}, {"flow.speed_limit=0.01"}, "speed limit", "flow.speed_limit"},
+      {{"capsule.0.position.2=12"},
+       {"capsule.0.position.2=11.9"},
+       "0.983 radii from the wall along z",
+       "flow.box"},
+      {{"flow.box.0=20", "capsule.0.position.0=9"},
+       {"flow.box.0=17", "capsule.0.position.0=9"},
+       "0.833 radii from its periodic image along x",
+       "flow.box"},
+      {{"run.shear_time=0.001"}, {"run.shear_time=0.0002"}, "nothing will be run", "run.shear_time"},
+  };
+  for (const auto& warned : all) {
+    for (const auto& line : warnings_of(warned.fine))
+      EXPECT_EQ(line.find(warned.message), std::string::npos) << line;
+    EXPECT_THAT(warnings_of(warned.warned),
+                Contains(AllOf(HasSubstr(warned.message), HasSubstr(warned.key))));
+  }
+}
+
+TEST(CaseWarnings, ReynoldsNumberMattersWithInertia) {
+  // Re = 5e-4 * 36/nu = 1 at nu = 0.018, tau+ = 0.554.
+  EXPECT_THAT(warnings_of({"flow.relaxation_time=0.5541"}), IsEmpty());
+  EXPECT_THAT(warnings_of({"flow.relaxation_time=0.5539"}),
+              ElementsAre(AllOf(HasSubstr("Reynolds number 1"), HasSubstr("flow.inertia"))));
+  EXPECT_THAT(warnings_of({"flow.relaxation_time=0.5539", "flow.inertia=false"}), IsEmpty());
+}
+
+TEST(CaseWarnings, MeshEdges) {
+  EXPECT_THAT(warnings_of({}, {0.5}), IsEmpty());
+  EXPECT_THAT(warnings_of({}, {2.0}), IsEmpty());
+  EXPECT_THAT(warnings_of({}, {0.49}),
+              ElementsAre(AllOf(HasSubstr("0.49"), HasSubstr("lower capsule.0.mesh.level"))));
+  EXPECT_THAT(warnings_of({}, {2.01}),
+              ElementsAre(AllOf(HasSubstr("2.01"), HasSubstr("raise capsule.0.mesh.level"))));
+}
+
+TEST(CaseWarnings, Neighbours) {
+  const auto with_second = [](const std::string& x) {
+    const auto the_case =
+        parse(quiet_case + "[[capsule]]\nradius = 6\nposition = [" + x + ", 20, 20]\n", {"flow.box.0=80"});
+    return warnings(the_case, parameters(the_case), {});
+  };
+  EXPECT_THAT(with_second("36"), IsEmpty());  // 4 grid steps apart: the width of cosine4
+  EXPECT_THAT(with_second("35.9"),
+              ElementsAre(AllOf(HasSubstr("3.9 grid steps apart"), HasSubstr("cosine4"))));
+}
+
+TEST(CaseWarnings, IntervalsThatRoundingChanges) {
+  EXPECT_THAT(warnings_of({"output.observables_every=0.02"}), IsEmpty());
+  EXPECT_THAT(warnings_of({"output.observables_every=0"}), IsEmpty());
+  EXPECT_THAT(warnings_of({"output.observables_every=0.0202"}), IsEmpty());  // 40.4 steps: 1 % off
+  EXPECT_THAT(warnings_of({"output.observables_every=0.0008"}),
+              ElementsAre(AllOf(HasSubstr("output.observables_every = 0.0008"),
+                                HasSubstr("1.6 steps, rounded to 2"), HasSubstr("set it to 0.001"))));
+  EXPECT_THAT(warnings_of({"output.membrane_every=1e-9"}), ElementsAre(HasSubstr("rounded to 1")));
+  EXPECT_THAT(warnings_of({"run.checkpoint_every=0.0012"}), ElementsAre(HasSubstr("run.checkpoint_every")));
+}
+
+TEST(CaseWarnings, MembraneViscosityThatIsSwitchedOff) {
+  EXPECT_THAT(warnings_of({"membrane.viscous.boussinesq_shear=10"}),
+              ElementsAre(AllOf(HasSubstr("capsule 0"), HasSubstr("viscous.scheme = \"none\""))));
+}
+
+}  // namespace

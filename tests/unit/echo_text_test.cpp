@@ -1,0 +1,123 @@
+// The echo: what must be in it, and that it can be read.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "driver/echo_table.hpp"
+#include "driver/units.hpp"
+#include "tests/unit/case_samples.hpp"
+
+namespace {
+
+using namespace tanktread::driver;
+using namespace tanktread::testing;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string echo_of(const Case& the_case, const Cost& cost = {}, const std::vector<double>& mean_edges = {}) {
+  const auto p = parameters(the_case);
+  return echo(the_case, p, cost, warnings(the_case, p, mean_edges), mean_edges);
+}
+
+/// The line of a name, its spaces drawn together, or "".
+std::string line_of(const std::string& text, const std::string& name) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("  " + name + "  ")) continue;
+    std::istringstream words(line);
+    std::string together;
+    for (std::string word; words >> word;) together += (together.empty() ? "" : " ") + word;
+    return together;
+  }
+  return "";
+}
+
+TEST(Echo, SaysWhatFollows) {
+  const auto text = echo_of(parse(least_case, {"flow.box=[60, 60, 60]", "capsule.0.position=[30, 30, 30]",
+                                               "capsule.0.radius=9.549", "flow.reynolds_number=0.146"}),
+                            {20.0, 405.0, 40e6, 2.5e9}, {1.25});
+  // g = 0.146/6/9.549^2 = 2.66861e-4, U0 = 30 g.
+  EXPECT_EQ(line_of(text, "box"), "box 60 x 60 x 60 0.216 million nodes");
+  EXPECT_EQ(line_of(text, "shear rate g"), "shear rate g 0.000266861 2 U0/L");
+  EXPECT_EQ(line_of(text, "wall speed U0"), "wall speed U0 0.00800584 g L/2");
+  EXPECT_EQ(line_of(text, "relaxation time tau-"), "relaxation time tau- 0.875 1/2 + Lambda/(tau+ - 1/2)");
+  EXPECT_EQ(line_of(text, "Reynolds number Re"), "Reynolds number Re 0.146 g a^2/nu, a of capsule 0");
+  EXPECT_EQ(line_of(text, "Mach number"), "Mach number 0.01387 U0 sqrt(3)");
+  EXPECT_THAT(line_of(text, "Ca by E_s"), HasSubstr("Ca by E_s 0.3 mu_o g a/E_s"));
+  EXPECT_EQ(line_of(text, "Ca by G_s"), "Ca by G_s 0.6 mu_o g a/G_s");
+  EXPECT_THAT(line_of(text, "mean mesh edge"), HasSubstr("1.25"));
+  EXPECT_EQ(line_of(text, "viscosity ratio lambda"), "viscosity ratio lambda 1 mu_i/mu_o");
+  // 1/g = 3747.27 steps; 10 shear times are 37473; every 0.02 is 75 steps: 1 + 499 and the last.
+  EXPECT_EQ(line_of(text, "steps a shear time"), "steps a shear time 3747.3 1/g");
+  EXPECT_EQ(line_of(text, "steps"), "steps 37473 to shear time 10");
+  EXPECT_EQ(line_of(text, "observables"), "observables 501 times, every 75 steps");
+  EXPECT_EQ(line_of(text, "memory"), "memory 40.0 MB about");
+  EXPECT_EQ(line_of(text, "disk"), "disk 2.50 GB about, with two checkpoints");
+  EXPECT_EQ(line_of(text, "run time"), "run time 6 min 45 s 20.0 MLUPS, measured now");
+}
+
+TEST(Echo, NamesOnlyWhatTheCaseHas) {
+  const auto droplet = echo_of(parse(droplet_case));
+  EXPECT_THAT(droplet,
+              AllOf(HasSubstr("Ca by gamma"), Not(HasSubstr("G_s")), Not(HasSubstr("wall speed")),
+                    Not(HasSubstr("mean mesh edge")), Not(HasSubstr("SI")), HasSubstr("not measured")));
+  const auto poiseuille = echo_of(parse(full_case));
+  EXPECT_THAT(line_of(poiseuille, "body force z"), HasSubstr("8 nu U0/L^2"));
+  EXPECT_THAT(poiseuille, AllOf(HasSubstr("walls across y, body force along z"), HasSubstr("capsule 1"),
+                                HasSubstr("no inertia"), HasSubstr("never")));
+}
+
+TEST(Echo, SiColumn) {
+  const auto text = echo_of(parse(si_case, {"flow.reynolds_number=0.14"}));
+  EXPECT_EQ(line_of(text, "grid step"), "grid step 1 5e-07 m radius_m / radius");
+  EXPECT_THAT(line_of(text, "shear rate g"), HasSubstr("1000 1/s"));
+  EXPECT_THAT(line_of(text, "wall speed U0"), HasSubstr("0.015 m/s"));  // 1000/s * 30 * 5e-7 m
+  EXPECT_THAT(line_of(text, "viscosity mu_o = nu"), HasSubstr("0.0012 Pa s"));
+  EXPECT_THAT(line_of(text, "G_s"), HasSubstr("5.3e-06 N/m"));
+  EXPECT_THAT(line_of(text, "E_s"), HasSubstr("1.06e-05 N/m"));
+  EXPECT_THAT(line_of(text, "radius a"), HasSubstr("4e-06 m"));
+  EXPECT_EQ(line_of(text, "physical Re"), "physical Re 0.014 the run has 10 times that");
+  EXPECT_EQ(line_of(text, "density"), "density 1 10500 kg/m^3 given: 1050 kg/m^3");
+  EXPECT_THAT(text, HasSubstr("lattice units"));
+}
+
+TEST(Echo, FitsInHundredColumns) {
+  for (const auto& text : {least_case, full_case, droplet_case, si_case}) {
+    auto the_case = parse(text, {"flow.speed_limit=1e-9"});  // for a warning
+    the_case.title = "";
+    std::istringstream lines(echo_of(the_case, {20.0, 405.0, 40e6, 2.5e9}, {3.0, 0.1}));
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_LE(line.size(), 100u) << line;
+      EXPECT_FALSE(line.ends_with(' ')) << line;
+    }
+  }
+}
+
+TEST(Echo, EndsWithTheWarnings) {
+  const auto the_case = parse(least_case);
+  const auto text = echo(the_case, parameters(the_case), {}, {"one thing", "another thing"});
+  EXPECT_TRUE(text.ends_with("warning: one thing\nwarning: another thing\n")) << text;
+}
+
+TEST(EchoTable, ParagraphsBreakBetweenWords) {
+  EchoTable table(false);
+  std::string long_text;
+  for (int k = 0; k < 40; ++k) long_text += "words ";
+  table.paragraph(long_text);
+  std::istringstream lines(table.text());
+  std::string first, second;
+  std::getline(lines, first);
+  std::getline(lines, second);
+  EXPECT_EQ(first.size(), 95u);  // sixteen words and fifteen spaces; one more word would make 101
+  EXPECT_TRUE(second.starts_with("  words"));
+}
+
+TEST(EchoTable, LongValuesKeepTheirDistance) {
+  EchoTable table(true);
+  table.row("name", std::string(40, 'v'), "si", "note");
+  EXPECT_THAT(table.text(), HasSubstr("vv si"));
+}
+
+}  // namespace
