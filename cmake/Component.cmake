@@ -42,6 +42,8 @@ function(tanktread_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   tanktread_compile_options(${name})
+  # Test code is run once and compiled often: half the optimisation takes a third of the time.
+  target_compile_options(${name} PRIVATE -O1)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest GTest::gmock GTest::gtest_main)
   # One thread unless a test asks for more: ctest runs several tests at once, and OpenMP threads that wait by spinning
