@@ -3,11 +3,11 @@
 #pragma once
 
 #include <toml++/toml.h>
-#include <array>
-#include <optional>
+
 #include <string>
 #include <vector>
 
+#include "driver/assignment.hpp"
 #include "driver/schema.hpp"
 
 namespace tanktread::driver {
@@ -18,18 +18,13 @@ class CaseReader {
   /// for a syntax error. @throws InputError
   CaseReader(const std::string& text, const std::string& name, const std::vector<std::string>& assignments);
 
-  /// Values by path, empty where the file has none (or none of the right kind: then it is a problem already).
-  std::optional<bool> boolean(const std::string& path) const;
-  std::optional<int> integer(const std::string& path) const;
-  std::optional<double> real(const std::string& path) const;
-  std::optional<std::string> text(const std::string& path) const;
-  std::optional<std::array<int, 3>> integers3(const std::string& path) const;
-  std::optional<std::array<double, 3>> reals3(const std::string& path) const;
-  std::optional<std::array<std::array<int, 2>, 3>> ranges3(const std::string& path) const;
+  /// The value of a key by its path (with the capsule's number); nothing where the file has none, or none
+  /// that the schema allows (then that is a problem already).
+  Value value(const std::string& path) const;
 
-  /// A key stands in the file or was set.
+  /// Something stands at that path, key or table.
   bool has(const std::string& path) const { return static_cast<bool>(at(path)); }
-  int n_capsules() const;
+  std::size_t n_capsules() const;
 
   /// Notes a problem with a key: "file:line: key = value: what".
   void problem(const std::string& path, const std::string& what);
@@ -39,14 +34,18 @@ class CaseReader {
 
  private:
   toml::node_view<const toml::node> at(const std::string& path) const;
-  void assign(const std::string& assignment);
+  void assign(const std::string& text);
   void check_table(const toml::table& table, const std::string& prefix);
-  void check_unknown(const toml::node& node, const std::string& path);
+  void check_capsules(const toml::node& node);
+  void check_entry(const toml::node& node, const std::string& path);
   void check_value(const toml::node& node, const std::string& path, const Key& key);
-  bool fits(const toml::node& node, const Key& key) const;
+  std::string place_of(const std::string& path) const;
+  const Assignment* assignment_to(const std::string& path) const;
+  void note(const std::string& line);
 
   std::string name_;
   toml::table document_;
+  std::vector<Assignment> assignments_;
   std::vector<std::string> problems_;
 };
 

@@ -1,120 +1,61 @@
+// The case as TOML, by the schema: every key that has a place in it, with its value, unit and meaning.
 #include <fmt/format.h>
 
-#include <toml++/toml.h>
-#include <sstream>
-
 #include "driver/case.hpp"
+#include "driver/schema.hpp"
 
 namespace tanktread::driver {
 namespace {
 
-/// A number as a TOML float, shortest that reads back to the same double.
-std::string number(double value) {
-  auto text = fmt::format("{}", value);
-  if (text.find_first_of(".en") == std::string::npos) text += ".0";
-  return text;
+/// The table that a key stands in, as its heading, and the key's name in it. Tables below a capsule are
+/// written as dotted names, so that each capsule is one block.
+struct Heading {
+  std::string heading, name;
+};
+
+Heading heading_of(const Key& key) {
+  const auto dot = key.path.find('.');
+  if (dot == std::string::npos) return {"", key.path};
+  if (is_capsule_key(key)) return {"[[capsule]]", key.path.substr(std::string("capsule.N.").size())};
+  return {fmt::format("[{}]", key.path.substr(0, dot)), key.path.substr(dot + 1)};
 }
 
-std::string quoted(const std::string& text) {
-  std::ostringstream stream;
-  stream << toml::value<std::string>(text);
-  return stream.str();
+void put_key(std::string& toml, const std::string& name, const Key& key, const Case& the_case,
+             std::size_t capsule) {
+  const auto value = key.get(the_case, capsule);
+  if (!is_given(value)) return;
+  if (key.objection != nullptr && !key.objection(the_case, capsule).empty()) return;
+  auto comment = key.meaning;
+  if (!key.unit.empty()) comment = fmt::format("{}; {}", key.unit, comment);
+  toml += fmt::format("{:<44} # {}\n", fmt::format("{} = {}", name, toml_text(value)), comment);
 }
 
-std::string axis_name(int axis) {
-  return std::string(1, "xyz"[axis]);
-}
-
-void put(std::string& toml, const std::string& key, const std::string& value) {
-  toml += fmt::format("{} = {}\n", key, value);
-}
-
-void put(std::string& toml, const std::string& key, const std::optional<double>& value) {
-  if (value) put(toml, key, number(*value));
-}
-
-std::string numbers(const std::array<double, 3>& values) {
-  return fmt::format("[{}, {}, {}]", number(values[0]), number(values[1]), number(values[2]));
-}
-
-void put_flow(std::string& toml, const FlowCase& flow) {
-  toml += "\n[flow]\n";
-  put(toml, "kind", quoted(flow.kind));
-  put(toml, "box", fmt::format("[{}, {}, {}]", flow.box[0], flow.box[1], flow.box[2]));
-  put(toml, "wall_axis", quoted(axis_name(flow.wall_axis)));
-  put(toml, "flow_axis", quoted(axis_name(flow.flow_axis)));
-  put(toml, "reynolds_number", flow.reynolds_number);
-  put(toml, "wall_speed", flow.wall_speed);
-  put(toml, "shear_rate", flow.shear_rate);
-  put(toml, "relaxation_time", number(flow.relaxation_time));
-  put(toml, "collision", quoted(flow.collision));
-  if (flow.collision == "trt") put(toml, "magic_parameter", number(flow.magic_parameter));
-  put(toml, "viscosity_ratio", number(flow.viscosity_ratio));
-  put(toml, "start", quoted(flow.start));
-  put(toml, "body_force", numbers(flow.body_force));
-  put(toml, "inertia", flow.inertia ? "true" : "false");
-  put(toml, "speed_limit", number(flow.speed_limit));
-}
-
-void put_capsule(std::string& toml, const CapsuleCase& capsule, bool has_si) {
+void put_capsule(std::string& toml, const Case& the_case, std::size_t capsule) {
   toml += "\n[[capsule]]\n";
-  put(toml, "radius", number(capsule.radius));
-  put(toml, "position", numbers(capsule.position));
-  if (capsule.mesh.file.empty()) {
-    put(toml, "mesh",
-        fmt::format("{{ shape = {}, level = {} }}", quoted(capsule.mesh.shape), capsule.mesh.level));
-  } else {
-    put(toml, "mesh", fmt::format("{{ file = {} }}", quoted(capsule.mesh.file)));
+  for (const auto& key : schema()) {
+    if (is_capsule_key(key)) put_key(toml, heading_of(key).name, key, the_case, capsule);
   }
-  put(toml, "viscosity_ratio", number(capsule.viscosity_ratio));
-  toml += "[capsule.membrane]\n";
-  const auto& membrane = capsule.membrane;
-  put(toml, "elastic_law", quoted(membrane.elastic_law));
-  if (!has_si) {
-    put(toml, "capillary_number", number(membrane.capillary_number));
-    put(toml, "capillary_modulus", quoted(membrane.capillary_modulus));
-  }
-  if (membrane.elastic_law == "skalak") put(toml, "area_ratio", number(membrane.area_ratio));
-  if (membrane.elastic_law == "hookean") put(toml, "poisson_ratio", number(membrane.poisson_ratio));
-}
-
-void put_output(std::string& toml, const OutputCase& output) {
-  toml += "\n[output]\n";
-  put(toml, "observables_every", number(output.observables_every));
-  put(toml, "membrane_every", number(output.membrane_every));
-  put(toml, "fluid_every", number(output.fluid_every));
-  if (output.fluid_box) {
-    const auto& b = *output.fluid_box;
-    put(toml, "fluid_box",
-        fmt::format("[[{}, {}], [{}, {}], [{}, {}]]", b[0][0], b[0][1], b[1][0], b[1][1], b[2][0], b[2][1]));
-  }
-}
-
-void put_si(std::string& toml, const SiCase& si) {
-  toml += "\n[si]\n";
-  put(toml, "radius_m", number(si.radius_m));
-  put(toml, "shear_rate_per_s", number(si.shear_rate_per_s));
-  put(toml, "viscosity_Pa_s", number(si.viscosity_Pa_s));
-  put(toml, "density_kg_per_m3", number(si.density_kg_per_m3));
-  put(toml, "shear_modulus_N_per_m", si.shear_modulus_N_per_m);
-  put(toml, "interfacial_tension_N_per_m", si.interfacial_tension_N_per_m);
 }
 
 }  // namespace
 
 std::string to_toml(const Case& the_case) {
   std::string toml = "# Written by tanktread: the case with every key resolved. It reproduces the run.\n";
-  put(toml, "title", quoted(the_case.title));
-  put_flow(toml, the_case.flow);
-  for (const auto& capsule : the_case.capsules) put_capsule(toml, capsule, the_case.si.has_value());
-  toml += "\n[coupler]\n";
-  put(toml, "kernel", quoted(the_case.coupler.kernel));
-  toml += "\n[run]\n";
-  put(toml, "shear_time", number(the_case.run.shear_time));
-  put(toml, "threads", fmt::format("{}", the_case.run.threads));
-  put(toml, "checkpoint_every", number(the_case.run.checkpoint_every));
-  put_output(toml, the_case.output);
-  if (the_case.si) put_si(toml, *the_case.si);
+  std::string last_heading;
+  for (const auto& key : schema()) {
+    // What [membrane] says has gone into each capsule.
+    if (is_membrane_key(key) || (!the_case.si && key.path.starts_with("si."))) continue;
+    const auto [heading, name] = heading_of(key);
+    if (heading != last_heading) {
+      if (is_capsule_key(key)) {
+        for (std::size_t k = 0; k < the_case.capsules.size(); ++k) put_capsule(toml, the_case, k);
+      } else {
+        toml += fmt::format("\n{}\n", heading);
+      }
+    }
+    last_heading = heading;
+    if (!is_capsule_key(key)) put_key(toml, name, key, the_case, 0);
+  }
   return toml;
 }
 

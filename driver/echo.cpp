@@ -1,147 +1,214 @@
+// The echo: what follows from a case, as text for a person.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
+#include "driver/echo_table.hpp"
 #include "driver/progress.hpp"
 #include "driver/schedule.hpp"
+#include "driver/si.hpp"
 #include "driver/units.hpp"
 
 namespace tanktread::driver {
 namespace {
 
-void line(std::string& text, const std::string& name, const std::string& value,
-          const std::string& note = "") {
-  text += fmt::format("  {:<26} {:<28} {}", name, value, note);
-  while (text.back() == ' ') text.pop_back();
-  text += '\n';
+/// All that the sections look at.
+struct Subject {
+  const Case& the_case;
+  const Parameters& parameters;
+  std::optional<SiScales> si;
+};
+
+/// A number in SI: the lattice value times the unit's size; "" without [si].
+std::string in_si(const Subject& subject, double value, double (*unit_size)(const SiScales&),
+                  const char* unit) {
+  return subject.si ? fmt::format("{:.5g} {}", value * unit_size(*subject.si), unit) : "";
+}
+
+double metre(const SiScales& si) {
+  return si.length_m;
+}
+double second(const SiScales& si) {
+  return si.time_s;
+}
+double per_second(const SiScales& si) {
+  return 1.0 / si.time_s;
+}
+double metre_per_second(const SiScales& si) {
+  return si.length_m / si.time_s;
+}
+double newton(const SiScales& si) {
+  return si.force_N;
+}
+double newton_per_metre(const SiScales& si) {
+  return si.force_N / si.length_m;
+}
+double pascal_second(const SiScales& si) {
+  return si.force_N * si.time_s / (si.length_m * si.length_m);
+}
+
+std::string number(double value) {
+  return fmt::format("{:.6g}", value);
+}
+
+std::string kind_note(const FlowCase& flow) {
+  const char wall = "xyz"[flow.wall_axis], along = "xyz"[flow.flow_axis];
+  if (flow.kind == "shear") return fmt::format("walls across {} move with -+U0 along {}", wall, along);
+  if (flow.kind == "poiseuille") return fmt::format("walls across {}, body force along {}", wall, along);
+  return "no walls";
+}
+
+void put_flow(EchoTable& table, const Subject& subject) {
+  const auto& flow = subject.the_case.flow;
+  const auto& p = subject.parameters;
+  const double n_nodes = static_cast<double>(flow.box[0]) * flow.box[1] * flow.box[2];
+  table.section("flow");
+  table.row("kind", flow.kind, "", kind_note(flow));
+  table.row("start", flow.start, "", flow.inertia ? "" : "no inertia: Stokes flow");
+  table.row("box", fmt::format("{} x {} x {}", flow.box[0], flow.box[1], flow.box[2]), "",
+            fmt::format("{:.3g} million nodes", 1e-6 * n_nodes));
+  table.row("grid step", "1", in_si(subject, 1, metre, "m"), "radius_m / radius", subject.si.has_value());
+  table.row("time step", "1", in_si(subject, 1, second, "s"), "g / shear_rate_per_s", subject.si.has_value());
+  table.row("force unit", "1", in_si(subject, 1, newton, "N"), "viscosity_Pa_s / nu dx^2 / dt",
+            subject.si.has_value());
+  table.row("wall speed U0", number(p.wall_speed), in_si(subject, p.wall_speed, metre_per_second, "m/s"),
+            flow.kind == "poiseuille" ? "g L/2, undisturbed centre speed" : "g L/2", flow.kind != "periodic");
+  table.row("shear rate g", number(p.shear_rate), in_si(subject, p.shear_rate, per_second, "1/s"),
+            flow.kind == "periodic" ? "as given" : "2 U0/L");
+  const auto& force = p.body_force;
+  const bool has_force = force != std::array<double, 3>{0, 0, 0};
+  for (int axis = 0; axis < 3; ++axis) {
+    table.row(
+        fmt::format("body force {}", "xyz"[axis]), number(force[axis]),
+        in_si(subject, force[axis], newton, "N"),
+        flow.kind == "poiseuille" && axis == flow.flow_axis ? "a node; 8 nu U0/L^2 + body_force" : "a node",
+        has_force && force[axis] != 0);
+  }
+  table.row("relaxation time tau+", number(p.relaxation_time), "", "1/2 + 3 nu");
+  table.row("relaxation time tau-", number(p.relaxation_time_odd), "",
+            flow.collision == "bgk" ? "bgk: tau+" : "1/2 + Lambda/(tau+ - 1/2)");
+  table.row("magic parameter Lambda", number(flow.magic_parameter), "", "(tau+ - 1/2)(tau- - 1/2)",
+            flow.collision == "trt");
+  table.row("viscosity mu_o = nu", number(p.kinematic_viscosity),
+            in_si(subject, p.kinematic_viscosity, pascal_second, "Pa s"), "(tau+ - 1/2)/3, density 1");
+  table.row("Reynolds number Re", number(p.reynolds_number), "", "g a^2/nu, a of capsule 0");
+  table.row("Mach number", fmt::format("{:.4g}", p.mach_number), "",
+            flow.kind == "periodic" ? "g a sqrt(3)" : "U0 sqrt(3)");
+}
+
+/// Which Reynolds number the physical values have, and how far the run is from it.
+void put_override(EchoTable& table, const Subject& subject) {
+  if (!subject.si) return;
+  const auto run = si_of(subject.the_case, subject.parameters, *subject.si);
+  table.section("from [si]");
+  table.row("density", "1", fmt::format("{:.5g} kg/m^3", run.density_kg_per_m3),
+            fmt::format("given: {:.5g} kg/m^3", subject.the_case.si->density_kg_per_m3));
+  table.row("physical Re", fmt::format("{:.6g}", subject.si->reynolds_number_physical), "",
+            fmt::format("the run has {:.4g} times that",
+                        subject.parameters.reynolds_number / subject.si->reynolds_number_physical));
+}
+
+void put_moduli(EchoTable& table, const Subject& subject, const CapsuleParameters& capsule) {
+  const auto modulus = [&](const std::string& name, double value, const std::string& note) {
+    table.row(name, number(value), in_si(subject, value, newton_per_metre, "N/m"), note, value > 0);
+  };
+  const auto capillary = [&](const std::string& name, double value, const std::string& note) {
+    table.row(name, number(value), "", note, value > 0);
+  };
+  capillary("Ca by E_s", capsule.capillary_by_E_s, "mu_o g a/E_s; W = E_s/8 (...)");
+  capillary("Ca by G_s", capsule.capillary_by_G_s, "mu_o g a/G_s");
+  capillary("Ca by gamma", capsule.capillary_by_gamma, "mu_o g a/gamma");
+  modulus("E_s", capsule.skalak_modulus, "2 G_s");
+  modulus("G_s", capsule.shear_modulus, "shear modulus at rest");
+  modulus("K_s", capsule.area_modulus, "area modulus at rest, by the law");
+  modulus("gamma", capsule.interfacial_tension, "mu_o g a/Ca");
+}
+
+void put_capsule(EchoTable& table, const Subject& subject, std::size_t number_of_it, double mean_edge) {
+  const auto& the_capsule = subject.the_case.capsules[number_of_it];
+  const auto& capsule = subject.parameters.capsules[number_of_it];
+  const auto& at = the_capsule.position;
+  table.section(fmt::format("capsule {}", number_of_it));
+  table.row("radius a", number(capsule.radius), in_si(subject, capsule.radius, metre, "m"), "grid steps");
+  table.row("position", fmt::format("{:.6g}, {:.6g}, {:.6g}", at[0], at[1], at[2]), "", "grid steps");
+  if (the_capsule.mesh.file.empty()) {
+    table.row("mesh", fmt::format("{}, level {}", the_capsule.mesh.shape, the_capsule.mesh.level), "",
+              fmt::format("{} triangles", 20 << (2 * the_capsule.mesh.level)));
+  } else {
+    table.row("mesh", std::filesystem::path(the_capsule.mesh.file).filename().string());
+  }
+  table.row("mean mesh edge", fmt::format("{:.4g}", mean_edge), in_si(subject, mean_edge, metre, "m"),
+            "grid steps; 0.5 to 2 is good", mean_edge > 0);
+  table.row("elastic law", the_capsule.membrane.elastic_law, "",
+            the_capsule.membrane.elastic_law == "skalak"
+                ? fmt::format("C = {:.6g}", the_capsule.membrane.area_ratio)
+                : "");
+  put_moduli(table, subject, capsule);
+  const auto& viscous = the_capsule.membrane.viscous;
+  table.row("Bq_s, Bq_d",
+            viscous.scheme == "none"
+                ? "0, 0"
+                : fmt::format("{:.6g}, {:.6g}", viscous.boussinesq_shear, viscous.boussinesq_dilatational),
+            "", viscous.scheme == "none" ? "no membrane viscosity" : "mu_s/(mu_o a), mu_d/(mu_o a)");
+  table.row("viscosity ratio lambda", number(capsule.viscosity_ratio), "", "mu_i/mu_o");
+}
+
+void put_schedule(EchoTable& table, const Subject& subject, const std::string& name, double every) {
+  const auto& p = subject.parameters;
+  const auto n_steps = steps_of(subject.the_case.run.shear_time, p);
+  const auto interval = schedule_of(every, p).interval;
+  if (interval == 0) {
+    table.row(name, "never");
+    return;
+  }
+  // Step 0, each that is due, and the last.
+  const auto n_written = 1 + n_steps / interval + (n_steps % interval == 0 ? 0 : 1);
+  table.row(name, fmt::format("{}", n_written), in_si(subject, static_cast<double>(interval), second, "s"),
+            fmt::format("times, every {} steps", interval));
+}
+
+void put_run(EchoTable& table, const Subject& subject) {
+  const auto& the_case = subject.the_case;
+  const auto& p = subject.parameters;
+  const auto n_steps = steps_of(the_case.run.shear_time, p);
+  table.section("run");
+  table.row("kernel", the_case.coupler.kernel);
+  table.row("steps a shear time", fmt::format("{:.1f}", p.steps_per_shear_time),
+            in_si(subject, p.steps_per_shear_time, second, "s"), "1/g");
+  table.row("steps", fmt::format("{}", n_steps), in_si(subject, static_cast<double>(n_steps), second, "s"),
+            fmt::format("to shear time {:.6g}", the_case.run.shear_time));
+  put_schedule(table, subject, "observables", the_case.output.observables_every);
+  put_schedule(table, subject, "membrane files", the_case.output.membrane_every);
+  put_schedule(table, subject, "fluid files", the_case.output.fluid_every);
+  put_schedule(table, subject, "checkpoints", the_case.run.checkpoint_every);
 }
 
 std::string bytes_text(double bytes) {
-  if (bytes >= 1e9) return fmt::format("{:.2f} GB", 1e-9 * bytes);
-  return fmt::format("{:.1f} MB", 1e-6 * bytes);
+  return bytes >= 1e9 ? fmt::format("{:.2f} GB", 1e-9 * bytes) : fmt::format("{:.1f} MB", 1e-6 * bytes);
 }
 
-std::string speed_note(const Case& the_case) {
-  if (the_case.flow.kind == "poiseuille") return "undisturbed centre speed U0 = g L/2";
-  return "U0 = g L/2; walls move with -+U0";
-}
-
-void put_flow(std::string& text, const Case& the_case, const Parameters& p,
-              const std::optional<SiScales>& si) {
-  const auto& box = the_case.flow.box;
-  text += "flow\n";
-  line(text, "lattice", fmt::format("{} x {} x {}", box[0], box[1], box[2]),
-       fmt::format("{:.3g} million nodes", 1e-6 * box[0] * box[1] * box[2]));
-  line(text, "kind", the_case.flow.kind, "start: " + the_case.flow.start);
-  if (the_case.flow.kind != "periodic")
-    line(text, "wall speed", fmt::format("{:.6g}", p.wall_speed), speed_note(the_case));
-  line(text, "shear rate g", fmt::format("{:.6g}", p.shear_rate), "a step; shear time = g t");
-  line(text, "steps a shear time", fmt::format("{:.1f}", p.steps_per_shear_time), "1/g");
-  line(text, "relaxation times", fmt::format("{:.6g}, {:.6g}", p.relaxation_time, p.relaxation_time_odd),
-       "tau+, tau-");
-  line(text, "kinematic viscosity", fmt::format("{:.6g}", p.kinematic_viscosity), "(tau+ - 1/2)/3");
-  line(text, "Reynolds number", fmt::format("{:.6g}", p.reynolds_number), "g a^2/nu, a of capsule 0");
-  line(text, "Mach number", fmt::format("{:.4g}", p.mach_number));
-  if (si) {
-    line(text, "grid step", fmt::format("{:.6g} m", si->length_m), "radius_m / radius");
-    line(text, "time step", fmt::format("{:.6g} s", si->time_s), "g / shear_rate_per_s");
-    line(text, "force unit", fmt::format("{:.6g} N", si->force_N),
-         "viscosity_Pa_s / nu, times step^2 / time");
-    line(text, "physical Reynolds number", fmt::format("{:.6g}", si->reynolds_number_physical),
-         fmt::format("the run has {:.4g} times that", p.reynolds_number / si->reynolds_number_physical));
-  }
-}
-
-void put_capsule(std::string& text, std::size_t number, const Case& the_case, const Parameters& p,
-                 const std::optional<SiScales>& si) {
-  const auto& capsule = p.capsules[number];
-  const auto in_si = [&](double modulus) {
-    return si ? fmt::format("{:.6g} N/m", modulus * si->force_N / si->length_m) : std::string();
-  };
-  text += fmt::format("capsule {}\n", number);
-  line(text, "radius a", fmt::format("{:.6g} grid steps", capsule.radius),
-       si ? fmt::format("{:.6g} m", capsule.radius * si->length_m) : "");
-  line(text, "elastic law", the_case.capsules[number].membrane.elastic_law);
-  if (capsule.interfacial_tension > 0) {
-    line(text, "Ca by gamma", fmt::format("{:.6g}", capsule.capillary_by_gamma), "mu_o g a/gamma");
-    line(text, "gamma", fmt::format("{:.6g}", capsule.interfacial_tension),
-         in_si(capsule.interfacial_tension));
-  } else {
-    if (capsule.skalak_modulus > 0) {
-      line(text, "Ca by E_s", fmt::format("{:.6g}", capsule.capillary_by_E_s),
-           "mu_o g a/E_s; W = E_s/8 (...), E_s = 2 G_s");
-      line(text, "E_s", fmt::format("{:.6g}", capsule.skalak_modulus), in_si(capsule.skalak_modulus));
-    }
-    line(text, "Ca by G_s", fmt::format("{:.6g}", capsule.capillary_by_G_s), "mu_o g a/G_s");
-    line(text, "G_s", fmt::format("{:.6g}", capsule.shear_modulus), in_si(capsule.shear_modulus));
-    line(text, "K_s", fmt::format("{:.6g}", capsule.area_modulus), "area modulus at rest");
-  }
-  line(text, "Bq_s, Bq_d", "0, 0", "no membrane viscosity");
-  line(text, "lambda", fmt::format("{:.6g}", capsule.viscosity_ratio), "mu_i/mu_o");
+void put_cost(EchoTable& table, const Cost& cost) {
+  table.section("cost");
+  table.row("memory", bytes_text(cost.memory_bytes), "", "about", cost.memory_bytes > 0);
+  table.row("disk", bytes_text(cost.disk_bytes), "", "about, with two checkpoints", cost.disk_bytes > 0);
+  table.row("run time", cost.mlups > 0 ? duration_text(cost.run_seconds) : "not measured", "",
+            cost.mlups > 0 ? fmt::format("{:.1f} MLUPS, measured now", cost.mlups) : "");
 }
 
 }  // namespace
 
-std::vector<std::string> warnings(const Case& the_case, const Parameters& p,
-                                  const std::vector<double>& mean_edges) {
-  std::vector<std::string> found;
-  if (p.mach_number > 0.1) {
-    found.push_back(fmt::format(
-        "Mach number {:.3g} is over 0.1: compressibility errors; lower flow.reynolds_number or wall_speed",
-        p.mach_number));
-  }
-  if (p.relaxation_time < 0.55) {
-    found.push_back(
-        fmt::format("tau+ = {:.4g} is below 0.55: little margin of stability; raise flow.relaxation_time",
-                    p.relaxation_time));
-  }
-  if (p.relaxation_time > 2.0) {
-    found.push_back(fmt::format("tau+ = {:.4g} is over 2: errors grow with it; lower flow.relaxation_time",
-                                p.relaxation_time));
-  }
+std::string echo(const Case& the_case, const Parameters& parameters, const Cost& cost,
+                 const std::vector<std::string>& warnings, const std::vector<double>& mean_edges) {
+  const Subject subject{the_case, parameters, si_scales(the_case, parameters)};
+  EchoTable table(subject.si.has_value());
+  table.title(the_case.title);
+  put_flow(table, subject);
+  put_override(table, subject);
   for (std::size_t k = 0; k < the_case.capsules.size(); ++k) {
-    const auto& capsule = the_case.capsules[k];
-    if (k < mean_edges.size() && (mean_edges[k] < 0.5 || mean_edges[k] > 2.0)) {
-      found.push_back(
-          fmt::format("capsule {}: mean mesh edge {:.3g} grid steps, outside 0.5 to 2; change its mesh.level",
-                      k, mean_edges[k]));
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-      const double n = the_case.flow.box[axis], at = capsule.position[axis];
-      const bool wall = the_case.flow.kind != "periodic" && axis == the_case.flow.wall_axis;
-      const double gap = wall ? std::min(at, n - at) - capsule.radius : n - 2 * capsule.radius;
-      if (gap < capsule.radius) {
-        found.push_back(fmt::format("capsule {}: {:.3g} radii to {} along {}, below 1; enlarge flow.box", k,
-                                    gap / capsule.radius, wall ? "the wall" : "its periodic image",
-                                    "xyz"[axis]));
-      }
-    }
+    put_capsule(table, subject, k, k < mean_edges.size() ? mean_edges[k] : 0.0);
   }
-  if (steps_of(the_case.run.shear_time, p) == 0) {
-    found.push_back("run.shear_time is less than half a time step: nothing will be run");
-  }
-  return found;
-}
-
-std::string echo(const Case& the_case, const Parameters& p, const Cost& cost,
-                 const std::vector<std::string>& warning_lines) {
-  const auto si = si_scales(the_case, p);
-  std::string text = the_case.title.empty() ? "" : the_case.title + "\n";
-  put_flow(text, the_case, p, si);
-  for (std::size_t k = 0; k < the_case.capsules.size(); ++k) put_capsule(text, k, the_case, p, si);
-  text += "run\n";
-  line(text, "kernel", the_case.coupler.kernel);
-  line(text, "steps", fmt::format("{}", steps_of(the_case.run.shear_time, p)),
-       fmt::format("to shear time {:.6g}", the_case.run.shear_time));
-  line(text, "memory", bytes_text(cost.memory_bytes), "about");
-  line(text, "disk", bytes_text(cost.disk_bytes), "about, with two checkpoints");
-  if (cost.mlups > 0) {
-    line(text, "predicted time", duration_text(cost.run_seconds),
-         fmt::format("{:.1f} MLUPS measured now", cost.mlups));
-  }
-  for (const auto& warning : warning_lines) text += "warning: " + warning + "\n";
-  return text;
+  put_run(table, subject);
+  put_cost(table, cost);
+  for (const auto& warning : warnings) table.paragraph("warning: " + warning);
+  return table.text();
 }
 
 }  // namespace tanktread::driver

@@ -71,19 +71,4 @@ Parameters parameters(const Case& the_case) {
   return result;
 }
 
-std::optional<SiScales> si_scales(const Case& the_case, const Parameters& parameters) {
-  if (!the_case.si) return std::nullopt;
-  const auto& si = *the_case.si;
-  SiScales scales;
-  scales.length_m = si.radius_m / the_case.capsules.front().radius;
-  scales.time_s = parameters.shear_rate / si.shear_rate_per_s;
-  // From the viscosity, mu length^2/time is a force: the one scale that holds whatever Reynolds number is
-  // run.
-  scales.force_N =
-      si.viscosity_Pa_s / parameters.kinematic_viscosity * scales.length_m * scales.length_m / scales.time_s;
-  scales.reynolds_number_physical =
-      si.density_kg_per_m3 * si.shear_rate_per_s * si.radius_m * si.radius_m / si.viscosity_Pa_s;
-  return scales;
-}
-
 }  // namespace tanktread::driver

@@ -35,6 +35,8 @@ struct Parameters {
   double steps_per_shear_time = 0;               ///< 1/g
   std::vector<CapsuleParameters> capsules;
 };
+
+/// Works out all of the above. Lattice units: density 1, so that mu_o = nu. Formulas: docs/units.md.
 Parameters parameters(const Case& the_case);
 
 /// SI values of lattice units, there when the case has [si]: metres a grid step, seconds a step, newtons a
@@ -45,10 +47,12 @@ struct SiScales {
 };
 std::optional<SiScales> si_scales(const Case& the_case, const Parameters& parameters);
 
-/// Warnings a user should read before a run: Mach > 0.1, tau+ < 0.55, mesh edge outside 0.5 to 2 grid steps,
-/// capsule too near a wall or its periodic image ... Each is a sentence with the number, the bound and the
-/// key to change.
-/// @param mean_edges mean mesh edge of each capsule, grid steps
+/// Warnings a user should read before a run, each a sentence with the number, the bound and the key to
+/// change: Mach > 0.1, tau+ outside 0.55 to 2, Re > 1 with inertia, a wall faster than the speed limit; mesh
+/// edge outside 0.5 to 2 grid steps; less than a radius to a wall or the periodic image, less than two kernel
+/// half-widths between capsules; membrane viscosity given but switched off; output intervals that rounding to
+/// whole steps changes by more than 1 %.
+/// @param mean_edges mean mesh edge of each capsule, grid steps; empty: not known
 std::vector<std::string> warnings(const Case& the_case, const Parameters& parameters,
                                   const std::vector<double>& mean_edges);
 
@@ -60,8 +64,10 @@ struct Cost {
   double disk_bytes = 0;
 };
 
-/// The echo: one line a number, with unit and formula, both ways; ends with cost and warnings.
+/// The echo: aligned text in sections, at most 100 columns wide (the title apart): one line a number, with
+/// its SI value if the case has [si], and formula; it ends with the cost and the warnings.
+/// @param mean_edges mean mesh edge of each capsule, grid steps; empty: not known yet, and left out
 std::string echo(const Case& the_case, const Parameters& parameters, const Cost& cost,
-                 const std::vector<std::string>& warnings);
+                 const std::vector<std::string>& warnings, const std::vector<double>& mean_edges = {});
 
 }  // namespace tanktread::driver

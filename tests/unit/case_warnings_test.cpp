@@ -103,6 +103,8 @@ TEST(CaseWarnings, IntervalsThatRoundingChanges) {
   EXPECT_THAT(warnings_of({"output.observables_every=0.0008"}),
               ElementsAre(AllOf(HasSubstr("output.observables_every = 0.0008"),
                                 HasSubstr("1.6 steps, rounded to 2"), HasSubstr("set it to 0.001"))));
+  EXPECT_THAT(warnings_of({"output.observables_every=0.0107"}),  // 21.4 steps: 2 % off
+              ElementsAre(HasSubstr("rounded to 21")));
   EXPECT_THAT(warnings_of({"output.membrane_every=1e-9"}), ElementsAre(HasSubstr("rounded to 1")));
   EXPECT_THAT(warnings_of({"run.checkpoint_every=0.0012"}), ElementsAre(HasSubstr("run.checkpoint_every")));
 }

@@ -29,7 +29,7 @@ TEST(UnitsParameters, TheThesisAtHalfResolution) {
   expect_near(p.wall_speed, 30.0 * p.shear_rate);
   expect_near(p.steps_per_shear_time * p.shear_rate, 1.0);
   expect_near(p.mach_number * p.mach_number, 3.0 * p.wall_speed * p.wall_speed);
-  // The figure of merit: at Re = 0.146 and L = 120 the thesis has U0 = 4e-3, so 8e-3 at L = 60 (its
+  // At Re = 0.146 and L = 120 the thesis has U0 = 4e-3, so 8e-3 at L = 60 (its
   // radius is rounded to four digits, its Re to three).
   EXPECT_NEAR(p.wall_speed, 8e-3, 8e-3 * 2e-3);
   // Ca = 0.3 by E_s: E_s = nu g a/0.3, and E_s = 2 G_s, K_s = G_s (1 + 2 C) with C = 1.

@@ -112,7 +112,7 @@ TEST(Warnings, NoneForTheThesisCaseAndOneForEachFault) {
 TEST(Echo, NamesWhatFollows) {
   const auto c = thesis_case();
   const auto text = echo(c, parameters(c), {100.0, 60.0, 1e9, 1e8}, {"beware"});
-  for (const char* word : {"120 x 120 x 120", "wall speed", "relaxation times", "Mach number",
+  for (const char* word : {"120 x 120 x 120", "wall speed", "relaxation time tau-", "Mach number",
                            "Reynolds number", "Ca by E_s", "Ca by G_s", "steps a shear time", "15000",
                            "1.00 GB", "1 min 00 s", "100.0 MLUPS", "warning: beware"}) {
     EXPECT_THAT(text, HasSubstr(word));
