@@ -82,7 +82,8 @@ Plan make_plan(const Case& the_case, std::vector<membrane::TriangleMesh> meshes)
   std::vector<double> mean_edges;
   for (const auto& mesh : plan.meshes) mean_edges.push_back(membrane::inspect(mesh).edge_mean);
   plan.cost = predict_cost(the_case, plan.parameters, plan.meshes);
-  plan.echo = echo(the_case, plan.parameters, plan.cost, warnings(the_case, plan.parameters, mean_edges));
+  plan.echo =
+      echo(the_case, plan.parameters, plan.cost, warnings(the_case, plan.parameters, mean_edges), mean_edges);
   return plan;
 }
 
