@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "fluid/border_checks.hpp"
@@ -38,10 +39,14 @@ class LatticeBoltzmann final : public Fluid {
   void velocity(std::span<const std::int64_t> nodes, std::span<double> velocity) const override {
     check_nodes("velocity()", nodes, velocity.size(), shape().size());
     const std::int64_t n = static_cast<std::int64_t>(nodes.size());
-#pragma omp parallel for num_threads(n_threads_) schedule(static)
-    for (std::int64_t k = 0; k < n; ++k) {
-      const auto moments = node_moments(nodes[k]);
-      std::copy_n(moments.velocity.data(), 3, &velocity[3 * k]);
+#pragma omp parallel num_threads(n_threads_)
+    {
+      RowCursor cursor;
+#pragma omp for schedule(static)
+      for (std::int64_t k = 0; k < n; ++k) {
+        const auto moments = node_moments(nodes[k], cursor);
+        std::copy_n(moments.velocity.data(), 3, &velocity[3 * k]);
+      }
     }
   }
 
@@ -49,11 +54,15 @@ class LatticeBoltzmann final : public Fluid {
     const std::int64_t n = shape().size();
     check_size("moments(): density", density.size(), n);
     check_size("moments(): velocity", velocity.size(), 3 * n);
-#pragma omp parallel for num_threads(n_threads_) schedule(static)
-    for (std::int64_t node = 0; node < n; ++node) {
-      const auto at_node = node_moments(node);
-      density[node] = at_node.density;
-      std::copy_n(at_node.velocity.data(), 3, &velocity[3 * node]);
+#pragma omp parallel num_threads(n_threads_)
+    {
+      RowCursor cursor;
+#pragma omp for schedule(static)
+      for (std::int64_t node = 0; node < n; ++node) {
+        const auto at_node = node_moments(node, cursor);
+        density[node] = at_node.density;
+        std::copy_n(at_node.velocity.data(), 3, &velocity[3 * node]);
+      }
     }
   }
 
@@ -113,6 +122,23 @@ class LatticeBoltzmann final : public Fluid {
     std::array<double, 3> velocity;
   };
 
+  /// The row whose slots were looked up last: nodes that follow each other in a row share them.
+  struct RowCursor {
+    std::int64_t begin =
+        std::numeric_limits<std::int32_t>::min();  ///< its first node; at first that of no row
+    int y = 0, z = 0;
+    RowSlots slots{};  ///< of the last turn, right away from the ends of the row
+  };
+
+  void move_to_row(RowCursor& cursor, std::int64_t row) const {
+    const int ny = settings_.shape.ny;
+    cursor.begin = row * settings_.shape.nx;
+    cursor.y = static_cast<int>(row % ny);
+    cursor.z = static_cast<int>(row / ny);
+    for (int i = 0; i < n_directions; ++i)
+      cursor.slots[i] = lattice_.row_slot(last_turn(), i, cursor.y, cursor.z);
+  }
+
   Turn next_turn() const {
     return step_ % 2 == 0 ? Turn::streaming : Turn::local;
   }
@@ -141,11 +167,16 @@ class LatticeBoltzmann final : public Fluid {
 
   /// A collision adds the force F to the momentum sum f c, so that with outgoing populations u = (sum f c -
   /// F/2)/rho.
-  NodeMoments node_moments(std::int64_t node) const {
-    const int nx = settings_.shape.nx, ny = settings_.shape.ny;
+  NodeMoments node_moments(std::int64_t node, RowCursor& cursor) const {
+    const auto n_row = std::int64_t{settings_.shape.nx};
+    if (node < cursor.begin || node >= cursor.begin + n_row) move_to_row(cursor, node / n_row);
+    const std::int64_t x = node - cursor.begin;
     double f[n_directions];
-    get_outgoing(static_cast<int>(node % nx), static_cast<int>(node / nx % ny),
-                 static_cast<int>(node / nx / ny), f);
+    if (x > 0 && x < n_row - 1) {
+      for (int i = 0; i < n_directions; ++i) f[i] = cursor.slots[d3q19::opposite(i)][x];
+    } else {
+      get_outgoing(static_cast<int>(x), cursor.y, cursor.z, f);
+    }
     double density_change = f[0];
     for (int i = 1; i < n_directions; ++i) density_change += f[i];
     NodeMoments moments{1.0 + density_change, {}};
@@ -246,8 +277,9 @@ class LatticeBoltzmann final : public Fluid {
     const int y = static_cast<int>(row % ny), z = static_cast<int>(row / ny);
     std::ostringstream message;
     message << "step " << step_ << ": ";
+    RowCursor cursor;
     for (int x = 0; x < settings_.shape.nx; ++x) {
-      const auto moments = node_moments(settings_.shape.index(x, y, z));
+      const auto moments = node_moments(settings_.shape.index(x, y, z), cursor);
       const auto& u = moments.velocity;
       const double speed = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
       if (speed < settings_.speed_limit) continue;
