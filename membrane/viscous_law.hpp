@@ -1,0 +1,61 @@
+// Membrane viscosity of an element: the increment of its strain in, its viscous stress out.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+
+#include "membrane/maxwell.hpp"
+
+namespace tanktread::membrane {
+
+/// Which rate the dashpots see.
+enum class StressMeasure {
+  rate_of_deformation,  ///< D = F^-T (dE/dt) F^-1, as the shear and dilatation of a fluid surface
+  rate_of_strain,       ///< dE/dt in its place, as the thesis writes it
+};
+
+/// What a viscous law is made from; lattice units.
+struct ViscousParameters {
+  std::string scheme = "fd";          ///< of maxwell_schemes()
+  double shear_viscosity = 0;         ///< mu_s, 0: none
+  double dilatational_viscosity = 0;  ///< mu_d, 0: none
+  double shear_spring = 0;            ///< k_s', positive where mu_s is
+  double dilatational_spring = 0;     ///< k_d', positive where mu_d is
+  int interval = 1;                   ///< N: the stress is updated every N steps, dt = N
+  StressMeasure measure = StressMeasure::rate_of_deformation;
+};
+
+/// A viscous stress in the frame that turns with the element (the polar rotation R of F = R U): the shear
+/// parts (s11 - s22)/2 and s12, and the dilatational part (s11 + s22)/2 (Eqs. 2.20-2.24). The state of an
+/// element.
+using ViscousState = std::array<double, 3>;
+
+/// tau_v = mu_s (2 D - tr(D) I) + mu_d tr(D) I (Eq. 2.9), each of its three independent parts a Maxwell
+/// element with (Table 3.1) viscosity 2 mu_s and spring k_s' (shear), or 2 mu_d and k_d' (dilatation). Const,
+/// keeps nothing.
+///
+/// The strain increment of a step is U^-1 [E(t + dt) - E(t)] U^-1, which is the increment of D dt in the
+/// frame of R. U is taken between the two times, from the mean of their Cg, because the Maxwell update is
+/// centred there: with U at either end the scheme would be of first order in dt. The stress so found holds at
+/// t + dt, where the nodal force is taken.
+class ViscousLaw {
+ public:
+  /// @throws std::invalid_argument naming the parameter that is out of range
+  explicit ViscousLaw(const ViscousParameters& parameters);
+
+  int interval() const { return interval_; }
+
+  /// Carries the stress of an element from strain E at the last update to E now (Green strains, Eq. 2.8).
+  void advance(const Eigen::Matrix2d& last_strain, const Eigen::Matrix2d& strain, ViscousState& state) const;
+
+  /// The Cauchy stress in the frame of R, force per length.
+  static Eigen::Matrix2d stress(const ViscousState& state);
+
+ private:
+  int interval_;
+  StressMeasure measure_;
+  MaxwellStep shear_, dilatation_;  ///< all zero where the viscosity is
+};
+
+}  // namespace tanktread::membrane
