@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "driver/surface_mesh.hpp"
 #include "exchange/vtk_files.hpp"
@@ -83,7 +84,6 @@ void write_checkpoint(const System& system, const std::filesystem::path& directo
   if (std::filesystem::exists(folder))
     return;  // the same state: a run is the same however often it is resumed
   const auto temporary = place / fmt::format(".step_{:010}.tmp", system.step);
-  std::filesystem::remove_all(temporary);
   std::filesystem::create_directories(temporary);
   exchange::write_grid(temporary / "fluid.vti", to_packet(system.fluid->state(), system.fluid->shape()));
   for (std::size_t k = 0; k < system.membranes.size(); ++k) {
@@ -107,6 +107,21 @@ std::vector<std::filesystem::path> checkpoint_folders(const std::filesystem::pat
   return folders;
 }
 
+namespace {
+
+Checkpoint read_checkpoint(const std::filesystem::path& folder) {
+  Checkpoint checkpoint;
+  checkpoint.folder = folder;
+  checkpoint.fluid = read_fluid(folder / "fluid.vti");
+  checkpoint.step = checkpoint.fluid.step;
+  for (std::size_t k = 0; std::filesystem::exists(capsule_file(folder, k)); ++k) {
+    read_capsule(capsule_file(folder, k), checkpoint);
+  }
+  return checkpoint;
+}
+
+}  // namespace
+
 Checkpoint read_last_checkpoint(const std::filesystem::path& directory) {
   const auto folders = checkpoint_folders(directory);
   if (folders.empty()) {
@@ -114,14 +129,15 @@ Checkpoint read_last_checkpoint(const std::filesystem::path& directory) {
         fmt::format("{}: no checkpoint to resume from (looked for checkpoints/step_*); start the case anew",
                     directory.string()));
   }
-  Checkpoint checkpoint;
-  checkpoint.folder = folders.back();
-  checkpoint.fluid = read_fluid(checkpoint.folder / "fluid.vti");
-  checkpoint.step = checkpoint.fluid.step;
-  for (std::size_t k = 0; std::filesystem::exists(capsule_file(checkpoint.folder, k)); ++k) {
-    read_capsule(capsule_file(checkpoint.folder, k), checkpoint);
+  try {
+    return read_checkpoint(folders.back());
+  } catch (const exchange::FileError& error) {
+    const bool has_other = folders.size() > 1;
+    throw InputError(fmt::format("{}\n{}: the checkpoint cannot be used; {}", error.what(),
+                                 folders.back().string(),
+                                 has_other ? "remove it to go on from " + folders[folders.size() - 2].string()
+                                           : std::string("there is no other, start the case anew")));
   }
-  return checkpoint;
 }
 
 void restore(System& system, const Checkpoint& checkpoint) {
@@ -130,10 +146,14 @@ void restore(System& system, const Checkpoint& checkpoint) {
                                  checkpoint.positions.size(), system.membranes.size()));
   }
   system.step = checkpoint.step;
-  system.fluid->restore(checkpoint.fluid);
-  for (std::size_t k = 0; k < system.membranes.size(); ++k) {
-    system.membranes[k].set_positions(checkpoint.positions[k]);
-    system.membranes[k].restore_history(checkpoint.histories[k]);
+  try {
+    system.fluid->restore(checkpoint.fluid);
+    for (std::size_t k = 0; k < system.membranes.size(); ++k) {
+      system.membranes[k].set_positions(checkpoint.positions[k]);
+      system.membranes[k].restore_history(checkpoint.histories[k]);
+    }
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: does not fit the case: {}", checkpoint.folder.string(), error.what()));
   }
   build_stencils(system);
 }

@@ -28,8 +28,8 @@ struct Checkpoint {
 /// The folders of all checkpoints in DIR, oldest first.
 std::vector<std::filesystem::path> checkpoint_folders(const std::filesystem::path& directory);
 
-/// Reads the last checkpoint of DIR. @throws InputError if there is none, exchange::FileError if it is
-/// damaged
+/// Reads the last checkpoint of DIR. @throws InputError if there is none, or it is damaged (with the one
+/// before it named) damaged
 Checkpoint read_last_checkpoint(const std::filesystem::path& directory);
 
 /// Sets a freshly made system to the state of a checkpoint.

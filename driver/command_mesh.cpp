@@ -55,7 +55,11 @@ void add_sphere_command(CLI::App& mesh, int& exit_code) {
     const auto& centre = arguments->centre;
     const auto sphere =
         membrane::icosphere(arguments->level, arguments->radius, {centre[0], centre[1], centre[2]});
-    exchange::write_surface(arguments->file, surface_packet(sphere));
+    try {
+      exchange::write_surface(arguments->file, surface_packet(sphere));
+    } catch (const exchange::FileError& error) {
+      throw InputError(error.what());
+    }
     fmt::print("{}: {} nodes, {} triangles\n", arguments->file, sphere.points.cols(),
                sphere.triangles.cols());
     exit_code = 0;
@@ -67,18 +71,15 @@ void add_info_command(CLI::App& mesh, int& exit_code) {
   auto file = std::make_shared<std::string>();
   command->add_option("file", *file, "Surface of triangles (.vtu)")->required();
   command->callback([=, &exit_code] {
-    const auto report = membrane::inspect(to_mesh(exchange::read_surface(*file, true)));
-    fmt::print("{}", report_text(report));
-    const auto defects = membrane::defects(report);
-    if (defects.empty()) {
-      fmt::print("a membrane can be made of it\n");
-      exit_code = 0;
-      return;
+    try {
+      const auto report = inspected(to_mesh(exchange::read_surface(*file, true)), *file);
+      fmt::print("{}", report_text(report));
+      require_no_defects(report, *file);
+    } catch (const exchange::FileError& error) {
+      throw InputError(error.what());
     }
-    std::string message;
-    for (const auto& defect : defects)
-      message += fmt::format("{}{}: {}", message.empty() ? "" : "\n", *file, defect);
-    throw InputError(message);
+    fmt::print("a membrane can be made of it\n");
+    exit_code = 0;
   });
 }
 

@@ -4,10 +4,9 @@
 
 #include <cstdio>
 
+#include "driver/case.hpp"
 #include "driver/commands.hpp"
-#include "driver/step.hpp"
 #include "driver/version.hpp"
-#include "exchange/vtk_files.hpp"
 
 namespace {
 
@@ -39,10 +38,6 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : exit_bad_input;
   } catch (const tanktread::driver::InputError& error) {
     return fail(exit_bad_input, error.what());
-  } catch (const tanktread::driver::RunError& error) {
-    return fail(exit_run_failed, error.what());
-  } catch (const tanktread::exchange::FileError& error) {
-    return fail(exit_run_failed, error.what());
   } catch (const std::exception& error) {
     return fail(exit_run_failed, error.what());
   }

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <fstream>
+#include <set>
 
 #include "exchange/vtk_files.hpp"
 
@@ -13,32 +15,41 @@ std::string numbered(const std::string& name, std::int64_t step, const std::stri
   return fmt::format("{}/{}_{:010}.{}", name, name, step, extension);
 }
 
-std::int64_t step_of(const std::string& file) {
-  const auto underscore = file.find_last_of('_');
-  return std::stoll(file.substr(underscore + 1));
+/// The step in a file's name, membrane_0000012345.vtu.
+std::int64_t step_of(const std::string& file, const std::filesystem::path& series) {
+  const auto digits = file.substr(file.find_last_of('_') + 1);
+  std::int64_t step = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), step);
+  if (error != std::errc() || *end != '.') {
+    throw exchange::FileError(
+        fmt::format("{}: entry {} is not of this run; remove it", series.string(), file));
+  }
+  return step;
 }
 
-/// Adds an entry to a series file, which keeps what it had. The last entry is replaced if it is of the same
-/// file.
+/// Adds an entry to a series file, which keeps what it had.
 void add_to_series(const std::filesystem::path& series, double time, const std::string& file) {
   auto entries = exchange::read_series(series);
-  if (!entries.empty() && entries.back().file == file) entries.pop_back();
   entries.push_back({time, file});
   exchange::write_series(series, entries);
 }
 
-/// Keeps the entries of a series that an uninterrupted run would have by `step`; the files of the others are
-/// removed.
+/// Keeps the entries of a series that an uninterrupted run would have by `step`, then removes every other
+/// file of its folder: those of the entries cut, and what a killed process left there.
 void cut_series(const std::filesystem::path& series, std::int64_t step, const Schedule& schedule) {
   std::vector<exchange::SeriesEntry> kept;
+  std::set<std::filesystem::path> names;
   for (const auto& entry : exchange::read_series(series)) {
-    if (step_of(entry.file) <= step && schedule.due(step_of(entry.file))) {
-      kept.push_back(entry);
-    } else {
-      std::filesystem::remove(series.parent_path() / entry.file);
-    }
+    if (step_of(entry.file, series) > step || !schedule.due(step_of(entry.file, series))) continue;
+    kept.push_back(entry);
+    names.insert(std::filesystem::path(entry.file).filename());
   }
   exchange::write_series(series, kept);
+  std::vector<std::filesystem::path> left;
+  for (const auto& file : std::filesystem::directory_iterator(series.parent_path() / series.stem())) {
+    if (!names.contains(file.path().filename())) left.push_back(file.path());
+  }
+  for (const auto& file : left) std::filesystem::remove(file);
 }
 
 }  // namespace
@@ -67,16 +78,16 @@ void Output::resume(std::int64_t step) {
 
 std::vector<Observation> Output::write(const System& system, bool last) {
   const double shear_time = static_cast<double>(system.step) * parameters_.shear_rate;
-  std::vector<Observation> observations;
-  if (observables_.due(system.step) || (last && observables_.interval > 0)) {
-    observations = observe(system, case_, parameters_);
-    std::ofstream table(directory_ / "observables.csv", std::ios::app);
-    for (const auto& observation : observations) table << observables_row(observation);
-    if (!table.flush())
-      throw exchange::FileError((directory_ / "observables.csv").string() + ": cannot be written");
-  }
   if (membrane_.due(system.step) || (last && membrane_.interval > 0)) write_membrane(system, shear_time);
   if (fluid_.due(system.step) || (last && fluid_.interval > 0)) write_fluid(system, shear_time);
+  // The table last: a row of the end of the run says that all is there.
+  if (!observables_.due(system.step) && !(last && observables_.interval > 0)) return {};
+  const auto observations = observe(system, case_, parameters_);
+  std::ofstream table(directory_ / "observables.csv", std::ios::app);
+  for (const auto& observation : observations) table << observables_row(observation);
+  if (!table.flush()) {
+    throw exchange::FileError((directory_ / "observables.csv").string() + ": cannot be written");
+  }
   return observations;
 }
 

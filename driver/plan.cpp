@@ -1,5 +1,8 @@
 #include "driver/plan.hpp"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <chrono>
 
 #include "driver/schedule.hpp"
@@ -14,8 +17,8 @@ double measure_speed(const Case& the_case, const Parameters& parameters,
                      const std::vector<membrane::TriangleMesh>& meshes) {
   constexpr double probe_seconds = 1.0;
   constexpr int n_warm_up = 2, n_least = 3;
-  auto system = make_system(the_case, parameters, meshes);
   try {
+    auto system = make_system(the_case, parameters, meshes);
     for (int k = 0; k < n_warm_up; ++k) advance(system);
     const auto start = std::chrono::steady_clock::now();
     double seconds = 0;
@@ -29,6 +32,10 @@ double measure_speed(const Case& the_case, const Parameters& parameters,
   } catch (const RunError&) {
     return 0.0;  // the run itself will say what is wrong, and when
   }
+}
+
+double physical_memory_bytes() {
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
 
 double times_written(double every, const Case& the_case, const Parameters& parameters) {
@@ -47,11 +54,12 @@ Cost predict_cost(const Case& the_case, const Parameters& parameters,
     triangles += static_cast<double>(mesh.triangles.cols());
   }
   Cost cost;
-  cost.mlups = measure_speed(the_case, parameters, meshes);
-  const double n_steps = static_cast<double>(steps_of(the_case.run.shear_time, parameters));
-  if (cost.mlups > 0) cost.run_seconds = 1e-6 * n_steps * n_nodes / cost.mlups;
   // The lattice, once more while a checkpoint is written; about 2 kB a membrane node.
   cost.memory_bytes = 2 * n_nodes * fluid::lattice_boltzmann_memory_per_node + 2048 * membrane_nodes;
+  // What does not fit is not tried: the system would end the program without a word.
+  if (cost.memory_bytes < physical_memory_bytes()) cost.mlups = measure_speed(the_case, parameters, meshes);
+  const double n_steps = static_cast<double>(steps_of(the_case.run.shear_time, parameters));
+  if (cost.mlups > 0) cost.run_seconds = 1e-6 * n_steps * n_nodes / cost.mlups;
 
   double fluid_output_nodes = n_nodes;
   if (the_case.output.fluid_box) {
@@ -76,14 +84,19 @@ Plan make_plan(const Case& the_case, std::vector<membrane::TriangleMesh> meshes)
   plan.the_case = the_case;
   plan.parameters = parameters(the_case);
   if (meshes.empty()) {
-    for (const auto& capsule : the_case.capsules) meshes.push_back(reference_mesh(capsule, the_case));
+    for (const auto& capsule : the_case.capsules) meshes.push_back(reference_mesh(capsule));
   }
   plan.meshes = std::move(meshes);
   std::vector<double> mean_edges;
   for (const auto& mesh : plan.meshes) mean_edges.push_back(membrane::inspect(mesh).edge_mean);
   plan.cost = predict_cost(the_case, plan.parameters, plan.meshes);
-  plan.echo =
-      echo(the_case, plan.parameters, plan.cost, warnings(the_case, plan.parameters, mean_edges), mean_edges);
+  auto warning_lines = warnings(the_case, plan.parameters, mean_edges);
+  if (plan.cost.memory_bytes > physical_memory_bytes()) {
+    warning_lines.push_back(
+        fmt::format("flow.box needs about {:.1f} GB of memory, this machine has {:.1f} GB; make it smaller",
+                    1e-9 * plan.cost.memory_bytes, 1e-9 * physical_memory_bytes()));
+  }
+  plan.echo = echo(the_case, plan.parameters, plan.cost, warning_lines, mean_edges);
   return plan;
 }
 

@@ -2,66 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <csignal>
-
 #include "driver/checkpoint.hpp"
 #include "driver/output.hpp"
+#include "driver/output_directory.hpp"
 #include "driver/progress.hpp"
+#include "driver/signals.hpp"
 #include "driver/step.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
 namespace {
-
-volatile std::sig_atomic_t caught_signal = 0;
-void catch_signal(int signal) {
-  caught_signal = signal;
-}
-
-/// Takes SIGINT and SIGTERM while it lives, so that a run can end with a checkpoint.
-class SignalGuard {
- public:
-  SignalGuard()
-      : interrupt_(std::signal(SIGINT, catch_signal)), terminate_(std::signal(SIGTERM, catch_signal)) {
-    caught_signal = 0;
-  }
-  ~SignalGuard() {
-    std::signal(SIGINT, interrupt_);
-    std::signal(SIGTERM, terminate_);
-  }
-  SignalGuard(const SignalGuard&) = delete;
-  SignalGuard& operator=(const SignalGuard&) = delete;
-
- private:
-  void (*interrupt_)(int);
-  void (*terminate_)(int);
-};
-
-void prepare_directory(const RunOptions& options) {
-  const auto& directory = options.output;
-  if (std::filesystem::exists(directory) && !std::filesystem::is_empty(directory)) {
-    if (!options.force) {
-      throw InputError(
-          fmt::format("--output {}: the directory is not empty and is never overwritten by itself; choose "
-                      "another, add --force to remove the earlier run, or go on from it with --resume {}",
-                      directory.string(), directory.string()));
-    }
-    if (!std::filesystem::exists(directory / "echo.toml")) {
-      throw InputError(
-          fmt::format("--output {}: --force removes an earlier run only, and there is none (no echo.toml); "
-                      "choose another directory",
-                      directory.string()));
-    }
-    for (const char* name : {"echo.toml", "echo.txt", "observables.csv", "membrane.pvd", "membrane",
-                             "fluid.pvd", "fluid", "checkpoints"}) {
-      std::filesystem::remove_all(directory / name);
-    }
-  }
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error)
-    throw InputError(fmt::format("--output {}: cannot be made: {}", directory.string(), error.message()));
-}
 
 void write_echo(const Plan& plan, const std::filesystem::path& directory) {
   exchange::write_text(directory / "echo.toml", to_toml(plan.the_case));
@@ -80,42 +30,75 @@ void print_closing(const System& system, const Progress& progress, const std::fi
              progress.mlups(system.step), directory.string());
 }
 
-[[noreturn]] void stop_broken(const RunError& error, const std::filesystem::path& directory) {
+[[noreturn]] void stop_broken(const std::exception& error, const std::filesystem::path& directory) {
   const auto folders = checkpoint_folders(directory);
   throw RunError(fmt::format("{}\nlast good state: {}", error.what(),
                              folders.empty() ? "none was written" : folders.back().string()));
+}
+
+/// A step and what is due after it.
+void advance_and_write(System& system, Output& output, Progress& progress, const Schedule& checkpoints,
+                       std::int64_t last_step, const std::filesystem::path& directory) {
+  advance(system);
+  progress.observe(output.write(system, system.step == last_step));
+  if (checkpoints.due(system.step) || system.step == last_step) write_checkpoint(system, directory);
+  progress.update(system.step);
 }
 
 int run_on(System& system, const Plan& plan, Output& output, const std::filesystem::path& directory) {
   const std::int64_t last_step = steps_of(plan.the_case.run.shear_time, plan.parameters);
   const auto checkpoints = schedule_of(plan.the_case.run.checkpoint_every, plan.parameters);
   Progress progress(system.step, last_step, system.fluid->shape().size(), plan.parameters.shear_rate);
-  const SignalGuard guard;
-  while (system.step < last_step && caught_signal == 0) {
-    try {
-      advance(system);
-    } catch (const RunError& error) {
-      progress.finish(system.step);
-      stop_broken(error, directory);
+  try {
+    while (system.step < last_step && SignalGuard::caught() == 0) {
+      advance_and_write(system, output, progress, checkpoints, last_step, directory);
     }
-    progress.observe(output.write(system, system.step == last_step));
-    if (checkpoints.due(system.step) || system.step == last_step) write_checkpoint(system, directory);
-    progress.update(system.step);
+    if (system.step < last_step) write_checkpoint(system, directory);
+  } catch (const RunError& error) {
+    progress.finish(system.step);
+    stop_broken(error, directory);
+  } catch (const exchange::FileError& error) {
+    progress.finish(system.step);
+    stop_broken(error, directory);
   }
-  if (system.step < last_step) write_checkpoint(system, directory);
   progress.finish(system.step);
   print_closing(system, progress, directory);
+  if (SignalGuard::caught() == 0) return 0;
   if (system.step < last_step) {
     fmt::print("stopped by a signal; go on with: tanktread run --resume {}\n", directory.string());
-    return 128 + caught_signal;
   }
-  return 0;
+  return 128 + SignalGuard::caught();
+}
+
+/// The case of a directory's echo with what the command line changes of it, checked like any other.
+Case read_echo(const std::filesystem::path& directory, std::optional<double> shear_time,
+               std::optional<int> threads) {
+  std::vector<std::string> assignments;
+  if (shear_time) assignments.push_back(fmt::format("run.shear_time={}", *shear_time));
+  if (threads) assignments.push_back(fmt::format("run.threads={}", *threads));
+  return read_case(directory / "echo.toml", assignments);
+}
+
+/// Whether there is anything left to do. @throws InputError for an end that cannot be reached from the
+/// checkpoint
+bool goes_on(const Checkpoint& checkpoint, std::int64_t last_step, std::int64_t former_last_step,
+             double shear_time) {
+  if (last_step > checkpoint.step) return true;
+  if (last_step == checkpoint.step && former_last_step == checkpoint.step) return false;
+  throw InputError(
+      fmt::format("--shear-time {}: the last checkpoint of the run is at or beyond that (step {}); "
+                  "give a later time",
+                  shear_time, checkpoint.step));
 }
 
 }  // namespace
 
 int run_new(const Plan& plan, const RunOptions& options) {
-  prepare_directory(options);
+  const SignalGuard guard;
+  check_output_directory(options.output, options.force);
+  const DirectoryLock lock(options.output);
+  if (options.force) remove_earlier_run(options.output);
+  remove_temporary_files(options.output);
   write_echo(plan, options.output);
   auto system = make_system(plan.the_case, plan.parameters, plan.meshes);
   Output output(plan.the_case, plan.parameters, options.output);
@@ -127,25 +110,25 @@ int run_new(const Plan& plan, const RunOptions& options) {
 
 int run_resumed(const std::filesystem::path& directory, std::optional<double> shear_time,
                 std::optional<int> threads) {
-  auto the_case = read_case(directory / "echo.toml");
-  if (shear_time) the_case.run.shear_time = *shear_time;
-  if (threads) the_case.run.threads = *threads;
-  const auto checkpoint = read_last_checkpoint(directory);
+  const SignalGuard guard;
+  const auto former_case = read_echo(directory, std::nullopt, std::nullopt);
+  const auto the_case = read_echo(directory, shear_time, threads);
+  const DirectoryLock lock(directory);
+  auto checkpoint = read_last_checkpoint(directory);
   const auto plan = make_plan(the_case, checkpoint.references);
   fmt::print("{}resuming from {}\n", plan.echo, checkpoint.folder.string());
-  if (steps_of(the_case.run.shear_time, plan.parameters) < checkpoint.step) {
-    throw InputError(fmt::format("--shear-time {}: the run is already at {:.6g}; give a later time",
-                                 the_case.run.shear_time,
-                                 static_cast<double>(checkpoint.step) * plan.parameters.shear_rate));
-  }
-  if (steps_of(the_case.run.shear_time, plan.parameters) == checkpoint.step) {
+  const auto last_step = steps_of(the_case.run.shear_time, plan.parameters);
+  if (!goes_on(checkpoint, last_step, steps_of(former_case.run.shear_time, plan.parameters),
+               the_case.run.shear_time)) {
     fmt::print("the run is at its end; --shear-time extends it\n");
     return 0;
   }
   auto system = make_system(the_case, plan.parameters, checkpoint.references);
   restore(system, checkpoint);
-  if (shear_time) write_echo(plan, directory);
-  Output output(the_case, plan.parameters, directory);
+  checkpoint.fluid = {};  // as large as the lattice itself
+  remove_temporary_files(directory);
+  if (shear_time || threads) write_echo(plan, directory);
+  Output output(plan.the_case, plan.parameters, directory);
   output.resume(checkpoint.step);
   return run_on(system, plan, output, directory);
 }

@@ -1,5 +1,11 @@
 #include "driver/surface_mesh.hpp"
 
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "driver/case.hpp"
+
 namespace tanktread::driver {
 
 exchange::SurfacePacket surface_packet(const membrane::TriangleMesh& mesh) {
@@ -14,6 +20,22 @@ membrane::TriangleMesh to_mesh(const exchange::SurfacePacket& packet) {
   const auto n_triangles = static_cast<Eigen::Index>(packet.triangles.size() / 3);
   return {to_matrix(packet.points),
           Eigen::Map<const Indices>(packet.triangles.data(), 3, n_triangles).cast<int>()};
+}
+
+membrane::MeshReport inspected(const membrane::TriangleMesh& mesh, const std::string& file) {
+  try {
+    return membrane::inspect(mesh);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: {}", file, error.what()));
+  }
+}
+
+void require_no_defects(const membrane::MeshReport& report, const std::string& file) {
+  std::string message;
+  for (const auto& defect : membrane::defects(report)) {
+    message += fmt::format("{}{}: {}", message.empty() ? "" : "\n", file, defect);
+  }
+  if (!message.empty()) throw InputError(message);
 }
 
 Eigen::Matrix3Xd to_matrix(const std::vector<double>& values) {

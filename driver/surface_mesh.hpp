@@ -1,6 +1,8 @@
 // Membrane meshes to and from the packets of files.
 #pragma once
 
+#include <string>
+
 #include "exchange/packet.hpp"
 #include "membrane/mesh.hpp"
 
@@ -8,6 +10,13 @@ namespace tanktread::driver {
 
 exchange::SurfacePacket surface_packet(const membrane::TriangleMesh& mesh);
 membrane::TriangleMesh to_mesh(const exchange::SurfacePacket& packet);
+
+/// membrane::inspect, whose refusals name the file. @throws InputError
+membrane::MeshReport inspected(const membrane::TriangleMesh& mesh, const std::string& file);
+
+/// Refuses a mesh that cannot be a membrane. @throws InputError with every defect, each with the name of the
+/// file
+void require_no_defects(const membrane::MeshReport& report, const std::string& file);
 
 /// 3 n numbers, component fastest, as a matrix with a column a node.
 Eigen::Matrix3Xd to_matrix(const std::vector<double>& values);

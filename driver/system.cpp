@@ -1,5 +1,7 @@
 #include "driver/system.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -44,19 +46,16 @@ std::shared_ptr<const membrane::ElasticLaw> make_law(const MembraneCase& membran
   return membrane::make_elastic_law(membrane_case.elastic_law, law);
 }
 
-membrane::TriangleMesh mesh_from_file(const CapsuleCase& capsule, const Case& the_case) {
-  auto file = std::filesystem::path(capsule.mesh.file);
-  if (file.is_relative()) file = the_case.file.parent_path() / file;
+membrane::TriangleMesh mesh_from_file(const CapsuleCase& capsule) {
+  const auto file = std::filesystem::path(capsule.mesh.file);
   membrane::TriangleMesh mesh;
   try {
     mesh = to_mesh(exchange::read_surface(file, true));
   } catch (const exchange::FileError& error) {
     throw InputError(error.what());
   }
-  const auto report = membrane::inspect(mesh);
-  std::string message;
-  for (const auto& defect : membrane::defects(report)) message += file.string() + ": " + defect + "\n";
-  if (!message.empty()) throw InputError(message);
+  const auto report = inspected(mesh, file.string());
+  require_no_defects(report, file.string());
   const double sphere_volume = 4.0 / 3.0 * std::numbers::pi * std::pow(capsule.radius, 3);
   const double scale = std::cbrt(sphere_volume / report.volume);
   const Eigen::Vector3d position(capsule.position[0], capsule.position[1], capsule.position[2]);
@@ -66,8 +65,8 @@ membrane::TriangleMesh mesh_from_file(const CapsuleCase& capsule, const Case& th
 
 }  // namespace
 
-membrane::TriangleMesh reference_mesh(const CapsuleCase& capsule, const Case& the_case) {
-  if (!capsule.mesh.file.empty()) return mesh_from_file(capsule, the_case);
+membrane::TriangleMesh reference_mesh(const CapsuleCase& capsule) {
+  if (!capsule.mesh.file.empty()) return mesh_from_file(capsule);
   return membrane::icosphere(capsule.mesh.level, capsule.radius,
                              {capsule.position[0], capsule.position[1], capsule.position[2]});
 }
@@ -86,7 +85,12 @@ System make_system(const Case& the_case, const Parameters& parameters,
     system.node_velocity.emplace_back(Eigen::Matrix3Xd::Zero(3, meshes[k].points.cols()));
     system.node_force.emplace_back(Eigen::Matrix3Xd::Zero(3, meshes[k].points.cols()));
   }
-  build_stencils(system);
+  try {
+    build_stencils(system);
+  } catch (const coupler::StencilError& error) {
+    throw InputError(
+        fmt::format("{}; move the capsule (capsule.N.position) or enlarge flow.box", error.what()));
+  }
   return system;
 }
 

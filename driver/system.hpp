@@ -38,9 +38,10 @@ struct System {
 
 /// The stress-free mesh of a capsule at its place in the box: a sphere by its level, or a file scaled to the
 /// radius by its volume. @throws InputError if the file is not a surface that can be a membrane
-membrane::TriangleMesh reference_mesh(const CapsuleCase& capsule, const Case& the_case);
+membrane::TriangleMesh reference_mesh(const CapsuleCase& capsule);
 
 /// Builds the components of a case at its start. @param meshes the reference mesh of each capsule
+/// @throws InputError if a mesh lies too near a wall for the kernel
 System make_system(const Case& the_case, const Parameters& parameters,
                    const std::vector<membrane::TriangleMesh>& meshes);
 

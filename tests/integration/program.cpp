@@ -53,8 +53,11 @@ Ended run_and_signal(const std::vector<std::string>& arguments, int signal,
   while (!ready() && std::chrono::steady_clock::now() < deadline) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
+  const bool was_ready = ready();
   kill(child, signal);
-  return wait_for(child, directory / "log");
+  const auto ended = wait_for(child, directory / "log");
+  if (!was_ready) throw std::runtime_error("not ready for the signal within a minute: " + ended.output);
+  return ended;
 }
 
 TemporaryDirectory::TemporaryDirectory() {
@@ -78,7 +81,7 @@ std::vector<std::pair<std::string, std::string>> result_files(const std::filesys
   std::vector<std::pair<std::string, std::string>> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(directory)) {
     const auto name = std::filesystem::relative(entry.path(), directory).string();
-    if (entry.is_regular_file() && !name.starts_with("checkpoints"))
+    if (entry.is_regular_file() && !name.starts_with("checkpoints") && name != ".lock")
       files.emplace_back(name, read_file(entry.path()));
   }
   std::sort(files.begin(), files.end());

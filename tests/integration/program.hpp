@@ -9,15 +9,16 @@
 namespace tanktread::testing {
 
 struct Ended {
-  int exit_code = 0;     ///< 128 + signal if a signal killed it
-  std::string output;    ///< stdout and stderr together
+  int exit_code = 0;   ///< 128 + signal if a signal killed it
+  std::string output;  ///< stdout and stderr together
 };
 
 /// Runs the executable with these arguments and waits for its end.
 Ended run_program(const std::vector<std::string>& arguments);
 
 /// Starts it, waits until `ready()` (at most a minute), sends the signal, waits for its end.
-Ended run_and_signal(const std::vector<std::string>& arguments, int signal, const std::function<bool()>& ready);
+Ended run_and_signal(const std::vector<std::string>& arguments, int signal,
+                     const std::function<bool()>& ready);
 
 /// A fresh directory of this test's own, removed when the object goes.
 class TemporaryDirectory {

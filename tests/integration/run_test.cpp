@@ -175,6 +175,63 @@ TEST_F(Run, BreakdownStopsWithTheLastGoodState) {
                     HasSubstr("last good state: "), HasSubstr("checkpoints/step_")));
 }
 
+TEST_F(Run, LeavesNothingOfAKilledProcessBehind) {
+  ASSERT_EQ(run_program(run_to("whole", {"--shear-time", "0.4"})).exit_code, 0);
+  ASSERT_EQ(run_program(run_to("cut", {"--shear-time", "0.2"})).exit_code, 0);
+  // What a kill in the middle of writing leaves: half a file, half a checkpoint, a file not yet in its
+  // series, half a row.
+  std::ofstream(directory_ / "cut/.observables.csv.1-1.tmp") << "half";
+  std::ofstream(directory_ / "cut/membrane/.membrane_0000000150.vtu.1-2.tmp") << "half";
+  std::ofstream(directory_ / "cut/membrane/membrane_0000000133.vtu") << "orphan";
+  std::filesystem::create_directories(directory_ / "cut/checkpoints/.step_0000000150.tmp");
+  std::ofstream(directory_ / "cut/observables.csv", std::ios::app) << "121,0.2016";
+  const auto ended = run_program({"run", "--resume", (directory_ / "cut").string(), "--shear-time", "0.4"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.output;
+  expect_same_results("whole", "cut");
+  EXPECT_FALSE(std::filesystem::exists(directory_ / "cut/checkpoints/.step_0000000150.tmp"));
+}
+
+TEST_F(Run, ResumeSaysWhatIsWrongWithItsFiles) {
+  ASSERT_EQ(run_program(run_to("out", {"--shear-time", "0.2"})).exit_code, 0);
+  const auto resume = [&] {
+    return run_program({"run", "--resume", (directory_ / "out").string(), "--shear-time", "0.4"});
+  };
+  const auto fluid = directory_ / "out/checkpoints/step_0000000120/fluid.vti";
+  const auto whole = read_file(fluid);
+  std::ofstream(fluid, std::ios::binary) << whole.substr(0, whole.size() / 2);
+  const auto damaged = resume();
+  EXPECT_EQ(damaged.exit_code, 2);
+  EXPECT_THAT(damaged.output, AllOf(HasSubstr("fluid.vti"), HasSubstr("remove it to go on from"),
+                                    HasSubstr("step_0000000060")));
+  std::ofstream(fluid, std::ios::binary) << whole;
+  std::filesystem::remove(directory_ / "out/observables.csv");
+  const auto without_table = resume();
+  EXPECT_NE(without_table.exit_code, 0);
+  EXPECT_THAT(without_table.output, HasSubstr("observables.csv"));
+  std::filesystem::remove_all(directory_ / "out/checkpoints");
+  EXPECT_EQ(resume().exit_code, 2);
+}
+
+TEST_F(Run, OneDirectoryIsForOneProcess) {
+  Ended second;
+  const auto first = run_and_signal(run_to("out", {"--shear-time", "50"}), SIGINT, [&] {
+    if (!has_checkpoint_after("out", "0000000060")) return false;
+    if (second.output.empty()) second = run_program({"run", "--resume", (directory_ / "out").string()});
+    return true;
+  });
+  EXPECT_EQ(first.exit_code, 128 + SIGINT);
+  EXPECT_EQ(second.exit_code, 2);
+  EXPECT_THAT(second.output, HasSubstr("another tanktread process"));
+}
+
+TEST_F(Run, AWriteThatFailsStopsWithTheLastGoodState) {
+  ASSERT_EQ(run_program(run_to("out", {"--shear-time", "0.2"})).exit_code, 0);
+  std::filesystem::remove_all(directory_ / "out/membrane");
+  std::ofstream(directory_ / "out/membrane") << "a file where the folder should be";
+  const auto ended = run_program({"run", "--resume", (directory_ / "out").string(), "--shear-time", "0.4"});
+  EXPECT_EQ(ended.exit_code, 3) << ended.output;
+}
+
 TEST(Program, HelpAndVersionOnEveryLevel) {
   EXPECT_EQ(run_program({"--version"}).exit_code, 0);
   EXPECT_THAT(run_program({"--version"}).output, MatchesRegex("tanktread [0-9]+\\.[0-9]+\\.[0-9]+\n"));
@@ -197,7 +254,8 @@ TEST(Program, MakesAndInspectsMeshes) {
   EXPECT_THAT(info.output,
               AllOf(HasSubstr("triangles           320"), HasSubstr("a membrane can be made of it")));
   EXPECT_EQ(run_program({"mesh", "sphere", "--level", "99", file}).exit_code, 2);
-  EXPECT_NE(run_program({"mesh", "info", (directory / "none.vtu").string()}).exit_code, 0);
+  EXPECT_EQ(run_program({"mesh", "info", (directory / "none.vtu").string()}).exit_code, 2);
+  EXPECT_EQ(run_program({"mesh", "sphere", (directory / "none/sphere.vtu").string()}).exit_code, 2);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ capillary_number = 0.3
 System make(const Case& c) {
   const auto p = parameters(c);
   std::vector<membrane::TriangleMesh> meshes;
-  for (const auto& capsule : c.capsules) meshes.push_back(reference_mesh(capsule, c));
+  for (const auto& capsule : c.capsules) meshes.push_back(reference_mesh(capsule));
   return make_system(c, p, meshes);
 }
 
@@ -137,6 +137,14 @@ TEST(Step, StopsAtAWall) {
   positions.row(2).array() -= 7.0;  // its lowest node is then one grid step from the wall
   system.membranes[0].set_positions(positions);
   EXPECT_THAT(breakdown(system), AllOf(HasSubstr("surface 0"), HasSubstr("wall")));
+}
+
+TEST(System, AMeshTooNearAWallIsBadInput) {
+  // A mesh file may reach further than the sphere of its radius, by which the case was checked.
+  const auto c = parse();
+  std::vector<membrane::TriangleMesh> meshes = {reference_mesh(c.capsules[0]), reference_mesh(c.capsules[1])};
+  meshes[1].points.row(2).array() -= 7.5;
+  EXPECT_THROW(make_system(c, parameters(c), meshes), InputError);
 }
 
 TEST(Step, StopsOnNotANumber) {

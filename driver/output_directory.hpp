@@ -1,0 +1,33 @@
+// The output directory as a place: made, emptied, and kept from being used twice at once.
+#pragma once
+
+#include <filesystem>
+
+namespace tanktread::driver {
+
+/// Holds an output directory for one process, by a lock on its file `.lock`, which goes with the process
+/// however it ends.
+class DirectoryLock {
+ public:
+  /// @throws InputError if another process holds it, or the directory cannot be written
+  explicit DirectoryLock(const std::filesystem::path& directory);
+  ~DirectoryLock();
+  DirectoryLock(const DirectoryLock&) = delete;
+  DirectoryLock& operator=(const DirectoryLock&) = delete;
+
+ private:
+  int descriptor_;
+};
+
+/// Refuses a directory that holds anything, unless `force` is set and it is an earlier run. Writes nothing.
+/// @throws InputError
+void check_output_directory(const std::filesystem::path& directory, bool force);
+
+/// Removes the files of an earlier run, those that tell it is one last. The lock must be held.
+void remove_earlier_run(const std::filesystem::path& directory);
+
+/// Removes files that a killed process left half written (.*.tmp), in the directory and among its
+/// checkpoints.
+void remove_temporary_files(const std::filesystem::path& directory);
+
+}  // namespace tanktread::driver
