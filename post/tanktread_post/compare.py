@@ -42,14 +42,21 @@ def print_rows(title, header, rows):
         print("  ".join(cells).rstrip())
 
 
-def _run_directory(output, run):
-    """The folder of a run; None if it is not there. A case of one run has its results in `output` itself."""
+def _run_directory(output, run, shear_time):
+    """The folder of a run; None if it is not there, or (of a case of many) has not come to the shear time yet.
+
+    A case of one run has its results in `output` itself.
+    """
     directory = pathlib.Path(output) if run is None else pathlib.Path(output) / run
-    return directory if is_run(directory) else None
+    if not is_run(directory):
+        return None
+    if run is not None and Observables(directory)["shear_time"][-1] < shear_time:
+        return None
+    return directory
 
 
 def _value_row(output, value):
-    directory = _run_directory(output, value["run"])
+    directory = _run_directory(output, value["run"], value["shear_time"])
     label = value["name"] if value["run"] is None else f"{value['run']}: {value['name']}"
     if directory is None:
         return None, label
@@ -58,7 +65,7 @@ def _value_row(output, value):
 
 
 def _change_row(output, change):
-    directories = [_run_directory(output, change[key]) for key in ("from", "to")]
+    directories = [_run_directory(output, change[key], change["shear_time"]) for key in ("from", "to")]
     label = f"{change['from']} to {change['to']}: {change['name']}"
     if None in directories:
         return None, label

@@ -24,9 +24,11 @@ def is_run(directory):
 def is_finished(directory):
     """Whether the run has reached the end that its case asks for."""
     try:
-        last = Observables(directory)["shear_time"][-1]
-        # A run ends at the step nearest to its end, so up to half a step before it.
-        return last >= read_echo(directory)["run"]["shear_time"] - 1e-3
+        observables = Observables(directory)
+        last, step = observables["shear_time"][-1], observables["step"][-1]
+        # A run ends at the step nearest to its end, so up to half a step before it (and a rounding).
+        half_a_step = 0.500001 * last / step if step > 0 else 0.0
+        return last >= read_echo(directory)["run"]["shear_time"] - half_a_step
     except InputError:
         return False
 

@@ -29,6 +29,17 @@ std::string with_changed(const std::string& old_line, const std::string& new_lin
   return text.replace(text.find(old_line), old_line.size(), new_line);
 }
 
+TEST(CaseDefaults, AreThoseOfTheStructs) {
+  const auto c = parse(least_case);
+  EXPECT_TRUE(c.coupler == CouplerCase());
+  EXPECT_TRUE(c.run == RunCase());
+  EXPECT_TRUE(c.output == OutputCase());
+  EXPECT_TRUE(c.capsules[0].mesh == MeshCase());
+  EXPECT_EQ(c.flow.magic_parameter, 0.1875);
+  EXPECT_EQ(c.flow.relaxation_time, 1.0);
+  EXPECT_EQ(c.flow.wall_axis, 2);
+}
+
 TEST(CaseErrors, TheLeastCaseIsFine) {
   EXPECT_EQ(refusal(least_case), "");
   EXPECT_EQ(refusal(full_case), "");
