@@ -6,5 +6,4 @@ tanktread_test(driver_test SOURCES unit/case_schema_test.cpp unit/case_errors_te
   unit/case_geometry_test.cpp unit/case_set_test.cpp unit/case_round_trip_test.cpp unit/case_warnings_test.cpp
   unit/units_parameters_test.cpp unit/units_si_test.cpp unit/echo_text_test.cpp
   integration/step_test.cpp integration/program.cpp LIBRARIES tanktread_driver)
-target_compile_definitions(driver_test PRIVATE TANKTREAD_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-  TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
+target_compile_definitions(driver_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
