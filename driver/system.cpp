@@ -36,16 +36,6 @@ std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const Parameters&
   return fluid::make_lattice_boltzmann(settings);
 }
 
-std::shared_ptr<const membrane::ElasticLaw> make_law(const MembraneCase& membrane_case,
-                                                     const CapsuleParameters& capsule) {
-  membrane::ElasticParameters law;
-  law.shear_modulus = capsule.shear_modulus;
-  law.area_ratio = membrane_case.area_ratio;
-  law.poisson_ratio = membrane_case.poisson_ratio;
-  law.interfacial_tension = capsule.interfacial_tension;
-  return membrane::make_elastic_law(membrane_case.elastic_law, law);
-}
-
 membrane::TriangleMesh mesh_from_file(const CapsuleCase& capsule) {
   const auto file = std::filesystem::path(capsule.mesh.file);
   membrane::TriangleMesh mesh;
@@ -80,8 +70,8 @@ System make_system(const Case& the_case, const Parameters& parameters,
   system.coupler = std::make_unique<coupler::Coupler>(grid, coupler::kernel(the_case.coupler.kernel),
                                                       the_case.run.threads);
   for (std::size_t k = 0; k < meshes.size(); ++k) {
-    system.membranes.emplace_back(meshes[k], make_law(the_case.capsules[k].membrane, parameters.capsules[k]),
-                                  the_case.run.threads);
+    system.membranes.emplace_back(
+        meshes[k], elastic_law(the_case.capsules[k].membrane, parameters.capsules[k]), the_case.run.threads);
     system.node_velocity.emplace_back(Eigen::Matrix3Xd::Zero(3, meshes[k].points.cols()));
     system.node_force.emplace_back(Eigen::Matrix3Xd::Zero(3, meshes[k].points.cols()));
   }

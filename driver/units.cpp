@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "membrane/elastic_law.hpp"
-
 namespace tanktread::driver {
 namespace {
 
@@ -15,13 +13,9 @@ CapsuleParameters capsule_parameters(const CapsuleCase& capsule, double viscosit
   const auto& membrane = capsule.membrane;
   const double viscous = viscosity * shear_rate * capsule.radius;
   const double modulus = viscous / membrane.capillary_number;
-  membrane::ElasticParameters law;
-  law.area_ratio = membrane.area_ratio;
-  law.poisson_ratio = membrane.poisson_ratio;
   if (membrane.capillary_modulus == "gamma") {
     result.interfacial_tension = modulus;
     result.capillary_by_gamma = membrane.capillary_number;
-    law.interfacial_tension = modulus;
   } else {
     result.shear_modulus = membrane.capillary_modulus == "E_s" ? 0.5 * modulus : modulus;
     result.capillary_by_G_s = viscous / result.shear_modulus;
@@ -29,13 +23,22 @@ CapsuleParameters capsule_parameters(const CapsuleCase& capsule, double viscosit
       result.skalak_modulus = 2.0 * result.shear_modulus;
       result.capillary_by_E_s = viscous / result.skalak_modulus;
     }
-    law.shear_modulus = result.shear_modulus;
   }
-  result.area_modulus = membrane::make_elastic_law(membrane.elastic_law, law)->area_modulus();
+  result.area_modulus = elastic_law(membrane, result)->area_modulus();
   return result;
 }
 
 }  // namespace
+
+std::unique_ptr<membrane::ElasticLaw> elastic_law(const MembraneCase& membrane,
+                                                  const CapsuleParameters& capsule) {
+  membrane::ElasticParameters law;
+  law.shear_modulus = capsule.shear_modulus;
+  law.area_ratio = membrane.area_ratio;
+  law.poisson_ratio = membrane.poisson_ratio;
+  law.interfacial_tension = capsule.interfacial_tension;
+  return membrane::make_elastic_law(membrane.elastic_law, law);
+}
 
 Parameters parameters(const Case& the_case) {
   const auto& flow = the_case.flow;

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "driver/case.hpp"
+#include "membrane/elastic_law.hpp"
 
 namespace tanktread::driver {
 
@@ -21,6 +23,10 @@ struct CapsuleParameters {
          capillary_by_gamma = 0;  ///< mu_o g a / modulus; 0 if it has none
   double viscosity_ratio = 1;
 };
+
+/// The elastic law of a capsule with its moduli in lattice units.
+std::unique_ptr<membrane::ElasticLaw> elastic_law(const MembraneCase& membrane,
+                                                  const CapsuleParameters& capsule);
 
 /// What follows for the flow, lattice units unless said otherwise.
 struct Parameters {
