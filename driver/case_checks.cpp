@@ -93,15 +93,18 @@ void check_spring(CaseReader& reader, std::size_t capsule, const std::string& su
 
 void check_viscous(CaseReader& reader, const Case& the_case, std::size_t capsule) {
   const auto& viscous = the_case.capsules[capsule].membrane.viscous;
-  const auto path = membrane_path(reader, "viscous.scheme", capsule);
   check_spring(reader, capsule, "_dilatational", 0);
-  if (viscous.scheme == "none") {
-    check_spring(reader, capsule, "", 0);
-    return;
+  check_spring(reader, capsule, "", viscous.scheme == "none" ? 0 : 1);
+  // A modulus k_s' alone gives no relaxation time for the dilatational spring to take over.
+  const bool takes_over = !viscous.spring_stiffness_dilatational &&
+                          !viscous.spring_relaxation_time_dilatational &&
+                          !viscous.spring_modulus_dilatational;
+  if (viscous.scheme != "none" && viscous.boussinesq_shear == 0 && viscous.boussinesq_dilatational > 0 &&
+      viscous.spring_modulus && takes_over) {
+    reader.problem(membrane_path(reader, "viscous.spring_modulus", capsule),
+                   "is that of the shear spring, but boussinesq_shear is 0 and so is its relaxation time; "
+                   "give spring_modulus_dilatational, or spring_relaxation_time");
   }
-  check_spring(reader, capsule, "", 1);
-  // REFUSED FOR NOW. Remove this one problem when the viscous laws are there.
-  reader.problem(path, "viscous laws are the next component to come and cannot be run yet; use \"none\"");
 }
 
 void check_capsule(CaseReader& reader, const Case& the_case, std::size_t number) {

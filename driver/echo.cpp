@@ -1,53 +1,13 @@
-// The echo: what follows from a case, as text for a person.
+#include "driver/echo.hpp"
+
 #include <fmt/format.h>
 
-#include "driver/echo_table.hpp"
+#include "driver/echo_capsule.hpp"
 #include "driver/progress.hpp"
 #include "driver/schedule.hpp"
-#include "driver/si.hpp"
-#include "driver/units.hpp"
 
 namespace tanktread::driver {
 namespace {
-
-/// All that the sections look at.
-struct Subject {
-  const Case& the_case;
-  const Parameters& parameters;
-  std::optional<SiScales> si;
-};
-
-/// A number in SI: the lattice value times the unit's size; "" without [si].
-std::string in_si(const Subject& subject, double value, double (*unit_size)(const SiScales&),
-                  const char* unit) {
-  return subject.si ? fmt::format("{:.5g} {}", value * unit_size(*subject.si), unit) : "";
-}
-
-double metre(const SiScales& si) {
-  return si.length_m;
-}
-double second(const SiScales& si) {
-  return si.time_s;
-}
-double per_second(const SiScales& si) {
-  return 1.0 / si.time_s;
-}
-double metre_per_second(const SiScales& si) {
-  return si.length_m / si.time_s;
-}
-double newton(const SiScales& si) {
-  return si.force_N;
-}
-double newton_per_metre(const SiScales& si) {
-  return si.force_N / si.length_m;
-}
-double pascal_second(const SiScales& si) {
-  return si.force_N * si.time_s / (si.length_m * si.length_m);
-}
-
-std::string number(double value) {
-  return fmt::format("{:.6g}", value);
-}
 
 std::string kind_note(const FlowCase& flow) {
   const char wall = "xyz"[flow.wall_axis], along = "xyz"[flow.flow_axis];
@@ -104,51 +64,6 @@ void put_override(EchoTable& table, const Subject& subject) {
   table.row("physical Re", fmt::format("{:.6g}", subject.si->reynolds_number_physical), "",
             fmt::format("the run has {:.4g} times that",
                         subject.parameters.reynolds_number / subject.si->reynolds_number_physical));
-}
-
-void put_moduli(EchoTable& table, const Subject& subject, const CapsuleParameters& capsule) {
-  const auto modulus = [&](const std::string& name, double value, const std::string& note) {
-    table.row(name, number(value), in_si(subject, value, newton_per_metre, "N/m"), note, value > 0);
-  };
-  const auto capillary = [&](const std::string& name, double value, const std::string& note) {
-    table.row(name, number(value), "", note, value > 0);
-  };
-  capillary("Ca by E_s", capsule.capillary_by_E_s, "mu_o g a/E_s; W = E_s/8 (...)");
-  capillary("Ca by G_s", capsule.capillary_by_G_s, "mu_o g a/G_s");
-  capillary("Ca by gamma", capsule.capillary_by_gamma, "mu_o g a/gamma");
-  modulus("E_s", capsule.skalak_modulus, "2 G_s");
-  modulus("G_s", capsule.shear_modulus, "shear modulus at rest");
-  modulus("K_s", capsule.area_modulus, "area modulus at rest, by the law");
-  modulus("gamma", capsule.interfacial_tension, "mu_o g a/Ca");
-}
-
-void put_capsule(EchoTable& table, const Subject& subject, std::size_t number_of_it, double mean_edge) {
-  const auto& the_capsule = subject.the_case.capsules[number_of_it];
-  const auto& capsule = subject.parameters.capsules[number_of_it];
-  const auto& at = the_capsule.position;
-  table.section(fmt::format("capsule {}", number_of_it));
-  table.row("radius a", number(capsule.radius), in_si(subject, capsule.radius, metre, "m"), "grid steps");
-  table.row("position", fmt::format("{:.6g}, {:.6g}, {:.6g}", at[0], at[1], at[2]), "", "grid steps");
-  if (the_capsule.mesh.file.empty()) {
-    table.row("mesh", fmt::format("{}, level {}", the_capsule.mesh.shape, the_capsule.mesh.level), "",
-              fmt::format("{} triangles", 20 << (2 * the_capsule.mesh.level)));
-  } else {
-    table.row("mesh", std::filesystem::path(the_capsule.mesh.file).filename().string());
-  }
-  table.row("mean mesh edge", fmt::format("{:.4g}", mean_edge), in_si(subject, mean_edge, metre, "m"),
-            "grid steps; 0.5 to 2 is good", mean_edge > 0);
-  table.row("elastic law", the_capsule.membrane.elastic_law, "",
-            the_capsule.membrane.elastic_law == "skalak"
-                ? fmt::format("C = {:.6g}", the_capsule.membrane.area_ratio)
-                : "");
-  put_moduli(table, subject, capsule);
-  const auto& viscous = the_capsule.membrane.viscous;
-  table.row("Bq_s, Bq_d",
-            viscous.scheme == "none"
-                ? "0, 0"
-                : fmt::format("{:.6g}, {:.6g}", viscous.boussinesq_shear, viscous.boussinesq_dilatational),
-            "", viscous.scheme == "none" ? "no membrane viscosity" : "mu_s/(mu_o a), mu_d/(mu_o a)");
-  table.row("viscosity ratio lambda", number(capsule.viscosity_ratio), "", "mu_i/mu_o");
 }
 
 void put_schedule(EchoTable& table, const Subject& subject, const std::string& name, double every) {

@@ -11,7 +11,7 @@
 namespace tanktread::driver {
 
 /// All capsules as one surface, as a person looks at it. Point data velocity, elastic_force, total_force;
-/// cell data principal_stretches, stress, area_ratio, capsule; field data step, shear_time.
+/// cell data principal_stretches, stress, viscous_stress, area_ratio, capsule; field data step, shear_time.
 exchange::SurfacePacket membrane_packet(const System& system, double shear_time);
 
 /// Density, velocity and force of the fluid nodes of `output.fluid_box`; field data step, shear_time.

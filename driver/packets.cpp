@@ -18,7 +18,8 @@ std::vector<Array> time_data(const System& system, double shear_time) {
 exchange::SurfacePacket membrane_packet(const System& system, double shear_time) {
   exchange::SurfacePacket packet;
   Array velocity{"velocity", 3, {}}, elastic_force{"elastic_force", 3, {}}, total_force{"total_force", 3, {}};
-  Array stretches{"principal_stretches", 2, {}}, stress{"stress", 9, {}}, area_ratio{"area_ratio", 1, {}};
+  Array stretches{"principal_stretches", 2, {}}, stress{"stress", 9, {}};
+  Array viscous_stress{"viscous_stress", 9, {}}, area_ratio{"area_ratio", 1, {}};
   Array capsule{"capsule", 1, {}};
   for (std::size_t k = 0; k < system.membranes.size(); ++k) {
     const auto& membrane = system.membranes[k];
@@ -36,11 +37,13 @@ exchange::SurfacePacket membrane_packet(const System& system, double shear_time)
     const auto fields = membrane.element_fields();
     append(stretches.values, fields.principal_stretches.data(), fields.principal_stretches.size());
     append(stress.values, fields.stress.data(), fields.stress.size());
+    append(viscous_stress.values, fields.viscous_stress.data(), fields.viscous_stress.size());
     append(area_ratio.values, fields.area_ratio.data(), fields.area_ratio.size());
     capsule.values.insert(capsule.values.end(), membrane.n_triangles(), static_cast<double>(k));
   }
   packet.point_data = {std::move(velocity), std::move(elastic_force), std::move(total_force)};
-  packet.cell_data = {std::move(stretches), std::move(stress), std::move(area_ratio), std::move(capsule)};
+  packet.cell_data = {std::move(stretches), std::move(stress), std::move(viscous_stress),
+                      std::move(area_ratio), std::move(capsule)};
   packet.field_data = time_data(system, shear_time);
   return packet;
 }

@@ -7,6 +7,7 @@
 
 #include "driver/schedule.hpp"
 #include "driver/step.hpp"
+#include "driver/warnings.hpp"
 #include "fluid/lattice_boltzmann.hpp"
 
 namespace tanktread::driver {
@@ -66,14 +67,17 @@ Cost predict_cost(const Case& the_case, const Parameters& parameters,
     fluid_output_nodes = 1;
     for (const auto& range : *the_case.output.fluid_box) fluid_output_nodes *= range[1] - range[0] + 1;
   }
-  constexpr double fluid_record = 7 * 8, node_record = (3 + 9) * 8, triangle_record = (13 + 3 + 1) * 8 + 1;
-  constexpr double n_checkpoints = 2;
+  constexpr double fluid_record = 7 * 8, node_record = (3 + 9) * 8, triangle_record = (22 + 3 + 1) * 8 + 1;
+  // A checkpoint has corners, normals and the viscous history of a triangle.
+  constexpr double observables_row_bytes = 300, n_checkpoints = 2, checkpoint_triangle = (3 + 3 + 9) * 8;
   cost.disk_bytes =
       times_written(the_case.output.fluid_every, the_case, parameters) * fluid_record * fluid_output_nodes +
       times_written(the_case.output.membrane_every, the_case, parameters) *
           (node_record * membrane_nodes + triangle_record * triangles) +
-      times_written(the_case.output.observables_every, the_case, parameters) * 300 +
-      n_checkpoints * n_nodes * fluid::lattice_boltzmann_memory_per_node;
+      times_written(the_case.output.observables_every, the_case, parameters) * observables_row_bytes *
+          static_cast<double>(meshes.size()) +
+      n_checkpoints * (n_nodes * fluid::lattice_boltzmann_memory_per_node + 6 * 8 * membrane_nodes +
+                       checkpoint_triangle * triangles);
   return cost;
 }
 

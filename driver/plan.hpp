@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "driver/case.hpp"
+#include "driver/echo.hpp"
 #include "driver/units.hpp"
 #include "membrane/mesh.hpp"
 

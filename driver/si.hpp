@@ -1,10 +1,21 @@
 // SI values to the numbers of a case and back: the one place where they meet.
 #pragma once
 
+#include <optional>
+
 #include "driver/case.hpp"
 #include "driver/units.hpp"
 
 namespace tanktread::driver {
+
+/// SI values of lattice units: metres a grid step, seconds a step, newtons a lattice force.
+struct SiScales {
+  double length_m, time_s, force_N;
+  double reynolds_number_physical;  ///< of the [si] values; the case may override it
+};
+
+/// The scales of a case; none without [si].
+std::optional<SiScales> si_scales(const Case& the_case, const Parameters& parameters);
 
 /// Re = rho g a^2/mu of the physical values.
 double physical_reynolds_number(const SiCase& si);

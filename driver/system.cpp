@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "driver/laws.hpp"
 #include "driver/surface_mesh.hpp"
 #include "exchange/vtk_files.hpp"
 #include "fluid/lattice_boltzmann.hpp"
@@ -70,8 +71,9 @@ System make_system(const Case& the_case, const Parameters& parameters,
   system.coupler = std::make_unique<coupler::Coupler>(grid, coupler::kernel(the_case.coupler.kernel),
                                                       the_case.run.threads);
   for (std::size_t k = 0; k < meshes.size(); ++k) {
-    system.membranes.emplace_back(
-        meshes[k], elastic_law(the_case.capsules[k].membrane, parameters.capsules[k]), the_case.run.threads);
+    system.membranes.emplace_back(meshes[k],
+                                  elastic_law(the_case.capsules[k].membrane, parameters.capsules[k]),
+                                  viscous_law(parameters.capsules[k]), the_case.run.threads);
     system.node_velocity.emplace_back(Eigen::Matrix3Xd::Zero(3, meshes[k].points.cols()));
     system.node_force.emplace_back(Eigen::Matrix3Xd::Zero(3, meshes[k].points.cols()));
   }

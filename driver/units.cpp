@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "driver/laws.hpp"
+
 namespace tanktread::driver {
 namespace {
 
@@ -24,21 +26,12 @@ CapsuleParameters capsule_parameters(const CapsuleCase& capsule, double viscosit
       result.capillary_by_E_s = viscous / result.skalak_modulus;
     }
   }
+  result.viscous = viscous_parameters(membrane.viscous, viscosity, capsule.radius, shear_rate);
   result.area_modulus = elastic_law(membrane, result)->area_modulus();
   return result;
 }
 
 }  // namespace
-
-std::unique_ptr<membrane::ElasticLaw> elastic_law(const MembraneCase& membrane,
-                                                  const CapsuleParameters& capsule) {
-  membrane::ElasticParameters law;
-  law.shear_modulus = capsule.shear_modulus;
-  law.area_ratio = membrane.area_ratio;
-  law.poisson_ratio = membrane.poisson_ratio;
-  law.interfacial_tension = capsule.interfacial_tension;
-  return membrane::make_elastic_law(membrane.elastic_law, law);
-}
 
 Parameters parameters(const Case& the_case) {
   const auto& flow = the_case.flow;

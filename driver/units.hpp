@@ -1,14 +1,12 @@
-// The one place where dimensionless and SI numbers become lattice units and back.
+// From the dimensionless numbers of a case to lattice units.
 #pragma once
 
 #include <array>
-#include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "driver/case.hpp"
-#include "membrane/elastic_law.hpp"
+#include "membrane/viscous_law.hpp"
 
 namespace tanktread::driver {
 
@@ -22,11 +20,8 @@ struct CapsuleParameters {
   double capillary_by_E_s = 0, capillary_by_G_s = 0,
          capillary_by_gamma = 0;  ///< mu_o g a / modulus; 0 if it has none
   double viscosity_ratio = 1;
+  std::optional<membrane::ViscousParameters> viscous;  ///< none: no membrane viscosity
 };
-
-/// The elastic law of a capsule with its moduli in lattice units.
-std::unique_ptr<membrane::ElasticLaw> elastic_law(const MembraneCase& membrane,
-                                                  const CapsuleParameters& capsule);
 
 /// What follows for the flow, lattice units unless said otherwise.
 struct Parameters {
@@ -44,36 +39,5 @@ struct Parameters {
 
 /// Works out all of the above. Lattice units: density 1, so that mu_o = nu. Formulas: docs/units.md.
 Parameters parameters(const Case& the_case);
-
-/// SI values of lattice units, there when the case has [si]: metres a grid step, seconds a step, newtons a
-/// lattice force.
-struct SiScales {
-  double length_m, time_s, force_N;
-  double reynolds_number_physical;  ///< of the [si] values; the case may override it
-};
-std::optional<SiScales> si_scales(const Case& the_case, const Parameters& parameters);
-
-/// Warnings a user should read before a run, each a sentence with the number, the bound and the key to
-/// change: Mach > 0.1, tau+ outside 0.55 to 2, Re > 1 with inertia, a wall faster than the speed limit; mesh
-/// edge outside 0.5 to 2 grid steps; less than a radius to a wall or the periodic image, less than two kernel
-/// half-widths between capsules; membrane viscosity given but switched off; output intervals that rounding to
-/// whole steps changes by more than 1 %.
-/// @param mean_edges mean mesh edge of each capsule, grid steps; empty: not known
-std::vector<std::string> warnings(const Case& the_case, const Parameters& parameters,
-                                  const std::vector<double>& mean_edges);
-
-/// What a run costs, from the parameters and a measured speed.
-struct Cost {
-  double mlups = 0;  ///< million node updates a second; 0: not measured
-  double run_seconds = 0;
-  double memory_bytes = 0;
-  double disk_bytes = 0;
-};
-
-/// The echo: aligned text in sections, at most 100 columns wide (the title apart): one line a number, with
-/// its SI value if the case has [si], and formula; it ends with the cost and the warnings.
-/// @param mean_edges mean mesh edge of each capsule, grid steps; empty: not known yet, and left out
-std::string echo(const Case& the_case, const Parameters& parameters, const Cost& cost,
-                 const std::vector<std::string>& warnings, const std::vector<double>& mean_edges = {});
 
 }  // namespace tanktread::driver

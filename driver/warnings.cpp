@@ -1,12 +1,13 @@
-// What a user should know before a run that is allowed, but perhaps not wise.
+#include "driver/warnings.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "coupler/coupler.hpp"
 #include "driver/case_geometry.hpp"
 #include "driver/schedule.hpp"
-#include "driver/units.hpp"
 
 namespace tanktread::driver {
 namespace {
@@ -86,12 +87,40 @@ void warn_of_membrane(Lines& lines, std::size_t number, const Case& the_case,
         "capsule {}: the mean mesh edge is {:.3g} grid steps, outside 0.5 to 2: {}; {}", number,
         mean_edges[number], is_fine ? "work for no gain" : "the fluid leaks between the nodes", fix));
   }
-  if (capsule.membrane.viscous.scheme == "none" && capsule.membrane.viscous != ViscousCase()) {
+}
+
+/// A spring relaxes within tau = mu/k'; the schemes follow it as long as the interval is not longer.
+void warn_of_interval(Lines& lines, std::size_t number, const membrane::ViscousParameters& viscous) {
+  const std::tuple<const char*, double, double> parts[] = {
+      {"s", viscous.shear_viscosity, viscous.shear_spring},
+      {"d", viscous.dilatational_viscosity, viscous.dilatational_spring}};
+  for (const auto& [part, viscosity, spring] : parts) {
+    if (viscosity == 0 || viscous.interval * spring <= viscosity) continue;
+    lines.push_back(
+        fmt::format("capsule {}: the interval of {} steps is longer than the relaxation time tau_{} = {:.3g} "
+                    "steps of the spring; lower membrane.viscous.interval or the spring's stiffness",
+                    number, viscous.interval, part, viscosity / spring));
+  }
+}
+
+void warn_of_viscosity(Lines& lines, std::size_t number, const Case& the_case, const Parameters& p) {
+  const auto& viscous = the_case.capsules[number].membrane.viscous;
+  if (viscous.scheme == "none") {
+    if (viscous == ViscousCase()) return;
     lines.push_back(
         fmt::format("capsule {}: a membrane viscosity is given, but viscous.scheme = \"none\" leaves "
                     "it out; set membrane.viscous.scheme",
                     number));
+    return;
   }
+  if (!p.capsules[number].viscous) {
+    lines.push_back(
+        fmt::format("capsule {}: viscous.scheme = \"{}\", but both Boussinesq numbers are 0; set "
+                    "membrane.viscous.boussinesq_shear or boussinesq_dilatational",
+                    number, viscous.scheme));
+    return;
+  }
+  warn_of_interval(lines, number, *p.capsules[number].viscous);
 }
 
 /// Intervals become whole steps; a change of over 1 % will be seen in a plot.
@@ -123,6 +152,7 @@ std::vector<std::string> warnings(const Case& the_case, const Parameters& parame
   warn_of_flow(lines, the_case, parameters);
   for (std::size_t k = 0; k < the_case.capsules.size(); ++k) {
     warn_of_membrane(lines, k, the_case, mean_edges);
+    warn_of_viscosity(lines, k, the_case, parameters);
     warn_of_gaps(lines, k, the_case);
     warn_of_neighbours(lines, k, the_case);
   }

@@ -6,12 +6,14 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <sstream>
 #include <string>
 
 #include "membrane/corners_of_node.hpp"
 #include "membrane/element.hpp"
+#include "membrane/viscous_history.hpp"
 
 namespace tanktread::membrane {
 namespace {
@@ -29,12 +31,17 @@ struct ElementBlock {
   std::array<Eigen::Matrix2d, block_size> cauchy_green;
   std::array<Invariants, block_size> invariants;
   std::array<ElasticResponse, block_size> response;
+
+  Eigen::Matrix2d elastic_stress(Eigen::Index k) const {
+    return second_piola_kirchhoff(cauchy_green[k], response[k]);
+  }
 };
 
 }  // namespace
 
 struct Membrane::Implementation {
-  Implementation(TriangleMesh mesh, std::shared_ptr<const ElasticLaw> elastic_law, int threads)
+  Implementation(TriangleMesh mesh, std::shared_ptr<const ElasticLaw> elastic_law,
+                 std::shared_ptr<const ViscousLaw> viscous_law, int threads)
       : n_threads(threads > 0 ? threads : omp_get_max_threads()),
         reference(std::move(mesh)),
         law(std::move(elastic_law)),
@@ -47,6 +54,7 @@ struct Membrane::Implementation {
       elements.push_back(reference_element(corners(t)));
       normals.col(t) = area_normal(corners(t));
     }
+    if (viscous_law) viscous.emplace(std::move(viscous_law), n_elements());
   }
 
   Eigen::Index n_elements() const { return reference.triangles.cols(); }
@@ -75,12 +83,29 @@ struct Membrane::Implementation {
     return block;
   }
 
-  /// Writes the forces on the corners of the elements of block `number`.
+  /// Viscous part of the second Piola-Kirchhoff stress of element `t`, from its history.
+  Eigen::Matrix2d viscous_stress(Eigen::Index t, const Eigen::Matrix2d& cauchy_green) const {
+    return pulled_back(viscous->stress(t), right_stretch(cauchy_green));
+  }
+
+  /// Writes the elastic forces on the corners of the elements of block `number`.
   void elastic_corner_forces(Eigen::Index number, Eigen::Matrix3Xd& forces) const {
     const ElementBlock block = evaluated(number);
     for (Eigen::Index k = 0; k < block.size; ++k) {
       const Eigen::Index t = block.begin + k;
-      const auto stress = second_piola_kirchhoff(block.cauchy_green[k], block.response[k]);
+      forces.middleCols<3>(3 * t) = corner_forces(block.gradient[k], block.elastic_stress(k), elements[t]);
+    }
+  }
+
+  /// The same of the total stress, after the history of the elements has taken their new strain.
+  void next_corner_forces(Eigen::Index number, Eigen::Matrix3Xd& forces) {
+    if (!viscous) return elastic_corner_forces(number, forces);
+    const ElementBlock block = evaluated(number);
+    for (Eigen::Index k = 0; k < block.size; ++k) {
+      const Eigen::Index t = block.begin + k;
+      const Eigen::Matrix2d& c = block.cauchy_green[k];
+      viscous->take(t, 0.5 * (c - Eigen::Matrix2d::Identity()));
+      const Eigen::Matrix2d stress = block.elastic_stress(k) + viscous_stress(t, c);
       forces.middleCols<3>(3 * t) = corner_forces(block.gradient[k], stress, elements[t]);
     }
   }
@@ -140,14 +165,20 @@ struct Membrane::Implementation {
   Eigen::Matrix3Xd corner_force;  ///< scratch, a column a corner
   Eigen::Matrix3Xd normals;       ///< twice area times normal at the last add_forces()
   Eigen::Matrix3Xd next_normals;  ///< scratch, those of the call that is running
+  std::optional<ViscousHistory> viscous;
 };
 
-Membrane::Membrane(TriangleMesh reference, std::shared_ptr<const ElasticLaw> law, int threads) {
+Membrane::Membrane(TriangleMesh reference, std::shared_ptr<const ElasticLaw> law, int threads)
+    : Membrane(std::move(reference), std::move(law), nullptr, threads) {}
+
+Membrane::Membrane(TriangleMesh reference, std::shared_ptr<const ElasticLaw> law,
+                   std::shared_ptr<const ViscousLaw> viscous, int threads) {
   std::string message;
   for (const auto& defect : defects(inspect(reference))) message += (message.empty() ? "" : "; ") + defect;
   if (!message.empty()) throw std::invalid_argument("membrane mesh: " + message);
   if (!law) throw std::invalid_argument("membrane: an elastic law is needed");
-  implementation_ = std::make_unique<Implementation>(std::move(reference), std::move(law), threads);
+  implementation_ =
+      std::make_unique<Implementation>(std::move(reference), std::move(law), std::move(viscous), threads);
 }
 Membrane::~Membrane() = default;
 Membrane::Membrane(Membrane&&) noexcept = default;
@@ -165,6 +196,9 @@ const TriangleMesh& Membrane::reference() const {
 const ElasticLaw& Membrane::elastic_law() const {
   return *implementation_->law;
 }
+const ViscousLaw* Membrane::viscous_law() const {
+  return implementation_->viscous ? &implementation_->viscous->law() : nullptr;
+}
 const Eigen::Matrix3Xd& Membrane::positions() const {
   return implementation_->positions;
 }
@@ -179,12 +213,13 @@ void Membrane::add_forces(Eigen::Ref<Eigen::Matrix3Xd> force) {
   self.require_column_per_node("the force array", force.cols());
   const Eigen::Index n_blocks = self.n_blocks(), none = self.n_elements();
   Eigen::Index first_bad = none;
+  if (self.viscous) self.viscous->begin_step();
 #pragma omp parallel num_threads(self.n_threads)
   {
 #pragma omp for schedule(static) reduction(min : first_bad)
     for (Eigen::Index block = 0; block < n_blocks; ++block) {
       first_bad = std::min(first_bad, self.first_bad_element(block, none));
-      self.elastic_corner_forces(block, self.corner_force);
+      self.next_corner_forces(block, self.corner_force);
     }
     // All threads read the same here: the loop above ends with a barrier.
     if (first_bad == none) {
@@ -231,11 +266,20 @@ double Membrane::elastic_energy() const {
   return sum;
 }
 
+namespace {
+
+void put_tensor(const Eigen::Matrix3d& tensor, Eigen::Ref<Eigen::Matrix<double, 9, 1>> row_by_row) {
+  for (int i = 0; i < 9; ++i) row_by_row[i] = tensor(i / 3, i % 3);
+}
+
+}  // namespace
+
 ElementFields Membrane::element_fields() const {
   const auto& self = *implementation_;
   ElementFields fields;
   fields.principal_stretches.resize(2, n_triangles());
   fields.stress.resize(9, n_triangles());
+  fields.viscous_stress.setZero(9, n_triangles());
   fields.area_ratio.resize(n_triangles());
 #pragma omp parallel for num_threads(self.n_threads) schedule(static)
   for (Eigen::Index number = 0; number < self.n_blocks(); ++number) {
@@ -243,9 +287,13 @@ ElementFields Membrane::element_fields() const {
     for (Eigen::Index k = 0; k < block.size; ++k) {
       const Eigen::Index t = block.begin + k;
       const Eigen::Matrix2d& c = block.cauchy_green[k];
-      const auto stress = second_piola_kirchhoff(c, block.response[k]);
-      const Eigen::Matrix3d in_space = cauchy_stress(block.gradient[k], stress);
-      for (int i = 0; i < 9; ++i) fields.stress(i, t) = in_space(i / 3, i % 3);
+      Eigen::Matrix3d stress = cauchy_stress(block.gradient[k], block.elastic_stress(k));
+      if (self.viscous) {
+        const Eigen::Matrix3d viscous = cauchy_stress(block.gradient[k], self.viscous_stress(t, c));
+        put_tensor(viscous, fields.viscous_stress.col(t));
+        stress += viscous;
+      }
+      put_tensor(stress, fields.stress.col(t));
       fields.principal_stretches.col(t) = principal_stretches(c);
       fields.area_ratio[t] = std::sqrt(c.determinant());
     }
@@ -254,17 +302,22 @@ ElementFields Membrane::element_fields() const {
 }
 
 std::vector<double> Membrane::history() const {
-  const auto& normals = implementation_->normals;
-  return {normals.data(), normals.data() + normals.size()};
+  const auto& self = *implementation_;
+  std::vector<double> values(self.normals.data(), self.normals.data() + self.normals.size());
+  if (self.viscous) self.viscous->append_to(values);
+  return values;
 }
 
 void Membrane::restore_history(const std::vector<double>& history) {
-  auto& normals = implementation_->normals;
-  if (static_cast<Eigen::Index>(history.size()) != normals.size()) {
+  auto& self = *implementation_;
+  const auto n_normals = static_cast<std::size_t>(self.normals.size());
+  const std::size_t n_needed = n_normals + (self.viscous ? self.viscous->n_values() : 0);
+  if (history.size() != n_needed) {
     throw std::invalid_argument("membrane: a history of " + std::to_string(history.size()) + " numbers, " +
-                                std::to_string(normals.size()) + " are needed");
+                                std::to_string(n_needed) + " are needed");
   }
-  std::copy(history.begin(), history.end(), normals.data());
+  std::copy_n(history.begin(), n_normals, self.normals.data());
+  if (self.viscous) self.viscous->restore(std::span(history).subspan(n_normals));
 }
 
 }  // namespace tanktread::membrane

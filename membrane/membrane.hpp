@@ -9,6 +9,7 @@
 
 #include "membrane/elastic_law.hpp"
 #include "membrane/mesh.hpp"
+#include "membrane/viscous_law.hpp"
 
 namespace tanktread::membrane {
 
@@ -21,20 +22,24 @@ class InvertedElement : public std::runtime_error {
 /// Results a person looks at, one column (or entry) an element.
 struct ElementFields {
   Eigen::Matrix2Xd principal_stretches;  ///< lambda1 >= lambda2
-  /// Cauchy stress tensor in space (row by row), force per length.
-  Eigen::Matrix<double, 9, Eigen::Dynamic> stress;
+  /// Cauchy stress tensors in space (row by row), force per length: the total (Eq. 2.25), and its viscous
+  /// part (zero without a viscous law).
+  Eigen::Matrix<double, 9, Eigen::Dynamic> stress, viscous_stress;
   Eigen::VectorXd area_ratio;  ///< current over reference area
 };
 
-/// One closed membrane. It owns its triangles, reference shape, law and (for viscous laws) history; units are
-/// lattice units. Forces are total forces on the nodes (not densities), added into the target, which the
-/// caller clears.
+/// One closed membrane. It owns its triangles, reference shape, laws and history; units are lattice units.
+/// Forces are total forces on the nodes (not densities), added into the target, which the caller clears.
 class Membrane {
  public:
   /// @param reference the stress-free shape; its points are also the first positions
   /// @param threads OpenMP threads, 0: all; no result depends on it, to the last bit
   /// @throws std::invalid_argument if defects(inspect(reference)) is not empty
   Membrane(TriangleMesh reference, std::shared_ptr<const ElasticLaw> law, int threads = 0);
+
+  /// The same with membrane viscosity. @param viscous may be empty: none
+  Membrane(TriangleMesh reference, std::shared_ptr<const ElasticLaw> law,
+           std::shared_ptr<const ViscousLaw> viscous, int threads = 0);
   ~Membrane();
   Membrane(Membrane&&) noexcept;
   Membrane& operator=(Membrane&&) noexcept;
@@ -43,16 +48,20 @@ class Membrane {
   int n_triangles() const;
   const TriangleMesh& reference() const;
   const ElasticLaw& elastic_law() const;
+  const ViscousLaw* viscous_law() const;  ///< owned by the membrane; null: none
 
   /// Current positions, 3 x n_nodes.
   const Eigen::Matrix3Xd& positions() const;
   /// @throws std::invalid_argument if the number of columns is not n_nodes()
   void set_positions(const Eigen::Ref<const Eigen::Matrix3Xd>& positions);
 
-  /// Adds the nodal forces at the present positions into `force` (3 x n_nodes).
+  /// The time step of a membrane: takes the strains at the present positions into the history of the viscous
+  /// law (once a step, then, and never twice for the same time), and adds the nodal forces of the total
+  /// stress into `force` (3 x n_nodes).
   /// @throws InvertedElement if an element has less than a thousandth of its reference area, its normal has
   /// turned by a right angle or more since the last call (the first call compares with the reference), or a
-  /// position is not finite; the message names the first such element, and `force` is untouched then
+  /// position is not finite; the message names the first such element. `force` is untouched then; the history
+  /// has to be restored before the membrane is used again
   /// @throws std::invalid_argument if `force` has another number of columns
   void add_forces(Eigen::Ref<Eigen::Matrix3Xd> force);
 
@@ -64,8 +73,9 @@ class Membrane {
 
   ElementFields element_fields() const;
 
-  /// Everything beyond positions that a restart needs, one flat array: now the 3 n_triangles components of
-  /// the element normals at the last add_forces().
+  /// Everything beyond positions that a restart needs, one flat array: the 3 n_triangles components of the
+  /// element normals at the last add_forces(), then, with a viscous law, what ViscousHistory::append_to()
+  /// lists.
   std::vector<double> history() const;
   /// @throws std::invalid_argument if the size is wrong
   void restore_history(const std::vector<double>& history);

@@ -15,6 +15,12 @@ enum class StressMeasure {
   rate_of_strain,       ///< dE/dt in its place, as the thesis writes it
 };
 
+/// Which strain enters an update when N > 1.
+enum class StrainSampling {
+  latest,          ///< that of the step of the update ("sub-sampling")
+  moving_average,  ///< the mean of the N strains since the last update (Eqs. 2.36-2.37)
+};
+
 /// What a viscous law is made from; lattice units.
 struct ViscousParameters {
   std::string scheme = "fd";          ///< of maxwell_schemes()
@@ -23,6 +29,7 @@ struct ViscousParameters {
   double shear_spring = 0;            ///< k_s', positive where mu_s is
   double dilatational_spring = 0;     ///< k_d', positive where mu_d is
   int interval = 1;                   ///< N: the stress is updated every N steps, dt = N
+  StrainSampling sampling = StrainSampling::latest;
   StressMeasure measure = StressMeasure::rate_of_deformation;
 };
 
@@ -45,6 +52,7 @@ class ViscousLaw {
   explicit ViscousLaw(const ViscousParameters& parameters);
 
   int interval() const { return interval_; }
+  StrainSampling sampling() const { return sampling_; }
 
   /// Carries the stress of an element from strain E at the last update to E now (Green strains, Eq. 2.8).
   void advance(const Eigen::Matrix2d& last_strain, const Eigen::Matrix2d& strain, ViscousState& state) const;
@@ -54,6 +62,7 @@ class ViscousLaw {
 
  private:
   int interval_;
+  StrainSampling sampling_;
   StressMeasure measure_;
   MaxwellStep shear_, dilatation_;  ///< all zero where the viscosity is
 };

@@ -210,15 +210,21 @@ TEST(CaseErrors, Contradictions) {
   }
 }
 
-TEST(CaseErrors, ViscousLawsAreToCome) {
+TEST(CaseErrors, AViscousSchemeNeedsOneSpringAndTheDilatationARelaxationTime) {
+  const std::string dilatational = "membrane.viscous={scheme = \"fd\", boussinesq_dilatational = 5, ";
   for (const std::string scheme : {"fd", "int1", "int2"}) {
+    EXPECT_EQ(refusal(least_case, {"membrane.viscous.scheme=" + scheme}),
+              "--set membrane.viscous.scheme=" + scheme +
+                  ": give exactly one of spring_stiffness, spring_relaxation_time, spring_modulus (0 given)");
     EXPECT_EQ(
-        refusal(least_case, {"membrane.viscous.spring_stiffness=100", "membrane.viscous.scheme=" + scheme}),
-        "--set membrane.viscous.scheme=" + scheme +
-            ": viscous laws are the next component to come and cannot be run yet; use \"none\"");
+        refusal(least_case, {"membrane.viscous.scheme=" + scheme, "membrane.viscous.spring_stiffness=100"}),
+        "");
   }
-  EXPECT_THAT(refusal(least_case, {"membrane.viscous.scheme=fd"}),
-              HasSubstr("exactly one of spring_stiffness"));
+  EXPECT_THAT(refusal(least_case, {dilatational + "spring_modulus = 0.1}"}),
+              HasSubstr("give spring_modulus_dilatational, or spring_relaxation_time"));
+  EXPECT_EQ(refusal(least_case, {dilatational + "spring_modulus = 0.1, spring_modulus_dilatational = 0.1}"}),
+            "");
+  EXPECT_EQ(refusal(least_case, {dilatational + "spring_relaxation_time = 0.1}"}), "");
 }
 
 TEST(CaseErrors, KeysOfTheSharedMembraneAreForWhomTheyFit) {

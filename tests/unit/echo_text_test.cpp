@@ -5,7 +5,8 @@
 #include <sstream>
 
 #include "driver/echo_table.hpp"
-#include "driver/units.hpp"
+#include "driver/echo.hpp"
+#include "driver/warnings.hpp"
 #include "tests/unit/case_samples.hpp"
 
 namespace {

@@ -1,0 +1,55 @@
+// What a membrane remembers of its elements for their viscous law.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "membrane/viscous_law.hpp"
+
+namespace tanktread::membrane {
+
+/// Viscous stress of each element, with what its next update needs. The owner calls begin_step() once a time
+/// step, then take() once for every element, in any order and from any thread.
+class ViscousHistory {
+ public:
+  /// All elements at rest: strain and stress zero.
+  ViscousHistory(std::shared_ptr<const ViscousLaw> law, Eigen::Index n_elements);
+
+  const ViscousLaw& law() const { return *law_; }
+
+  void begin_step();
+
+  /// Takes the Green strain E of an element at the new time. In every Nth step its stress goes on with the
+  /// law; in the steps between, it is kept (in the frame that turns with the element).
+  void take(Eigen::Index element, const Eigen::Matrix2d& strain);
+
+  /// Viscous Cauchy stress of an element in the frame of its polar rotation R, force per length.
+  Eigen::Matrix2d stress(Eigen::Index element) const { return ViscousLaw::stress(elements_[element].stress); }
+
+  /// Numbers that append_to() appends: one, and nine an element.
+  std::size_t n_values() const { return 9 * elements_.size() + 1; }
+
+  /// Everything a restart needs, appended: steps since the last update, then of each element the state of its
+  /// stress, the strain of the last update and the sum of the strains since, the last two as E11, E12, E22.
+  void append_to(std::vector<double>& values) const;
+
+  /// @param values n_values() numbers as append_to() gave them
+  void restore(std::span<const double> values);
+
+ private:
+  struct Element {
+    ViscousState stress{};
+    std::array<double, 3> last_strain{};  ///< E11, E12, E22 that entered the last update
+    std::array<double, 3> strain_sum{};   ///< of the steps since, for the moving average
+  };
+
+  std::shared_ptr<const ViscousLaw> law_;
+  std::vector<Element> elements_;
+  int steps_since_update_ = 0;
+};
+
+}  // namespace tanktread::membrane
