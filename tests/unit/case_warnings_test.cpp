@@ -114,4 +114,24 @@ TEST(CaseWarnings, MembraneViscosityThatIsSwitchedOff) {
               ElementsAre(AllOf(HasSubstr("capsule 0"), HasSubstr("viscous.scheme = \"none\""))));
 }
 
+TEST(CaseWarnings, MembraneViscosityThatIsZero) {
+  EXPECT_THAT(warnings_of({"membrane.viscous={scheme = \"fd\", spring_stiffness = 100}"}),
+              ElementsAre(AllOf(HasSubstr("capsule 0"), HasSubstr("both Boussinesq numbers are 0"))));
+}
+
+TEST(CaseWarnings, AnIntervalLongerThanTheRelaxationTime) {
+  // tau = 5 steps by modulus: mu_s = Bq_s mu_o a.
+  const auto mu_s = parameters(parse(least_case, {"membrane.viscous={scheme = \"fd\", boussinesq_shear = 1, "
+                                                  "spring_stiffness = 100}"}))
+                        .capsules[0]
+                        .viscous->shear_viscosity;
+  const auto with_interval = [&](int interval) {
+    return warnings_of({"membrane.viscous={scheme = \"fd\", boussinesq_shear = 1, spring_modulus = " +
+                        std::to_string(mu_s / 5) + ", interval = " + std::to_string(interval) + "}"});
+  };
+  EXPECT_THAT(with_interval(4), IsEmpty());
+  EXPECT_THAT(with_interval(6),
+              ElementsAre(AllOf(HasSubstr("interval of 6 steps"), HasSubstr("tau_s = 5 "))));
+}
+
 }  // namespace
