@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+
 #include <csignal>
 #include <fstream>
 
@@ -245,6 +247,36 @@ TEST_F(Run, AWriteThatFailsStopsWithTheLastGoodState) {
   std::ofstream(directory_ / "out/membrane") << "a file where the folder should be";
   const auto ended = run_program({"run", "--resume", (directory_ / "out").string(), "--shear-time", "0.4"});
   EXPECT_EQ(ended.exit_code, 3) << ended.output;
+}
+
+/// No file of this process and its children can grow over a size while it lives.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+TEST_F(Run, ADiskThatIsFullInMidRunStopsItAndItGoesOnLater) {
+  ASSERT_EQ(run_program(run_to("whole", {"--shear-time", "0.4"})).exit_code, 0);
+  ASSERT_EQ(run_program(run_to("out", {"--shear-time", "0.2"})).exit_code, 0);
+  const std::vector<std::string> go_on = {"run", "--resume", (directory_ / "out").string(), "--shear-time",
+                                          "0.4"};
+  {
+    const FileSizeLimit limit(1000000);  // the next checkpoint holds 24^3 nodes of 19 doubles: 2.1 MB
+    const auto ended = run_program(go_on);
+    EXPECT_EQ(ended.exit_code, 3) << ended.output;
+    EXPECT_THAT(ended.output, AllOf(HasSubstr("fluid.vti"), HasSubstr("last good state"),
+                                    HasSubstr("checkpoints/step_0000000120")));
+  }
+  ASSERT_EQ(run_program(go_on).exit_code, 0);
+  expect_same_results("whole", "out");
 }
 
 TEST(Program, HelpAndVersionOnEveryLevel) {
