@@ -34,6 +34,17 @@ void add_file_option(CLI::App& command, std::string& file) {
   command.add_option("--out", file, "Table to write (.csv)")->required();
 }
 
+/// Each study once for each of the values, which `set` puts into it.
+template <class Study, class Value, class Set>
+std::vector<Study> varied(const std::vector<Study>& studies, const std::vector<Value>& values,
+                          const Set& set) {
+  std::vector<Study> result;
+  for (const Study& study : studies) {
+    for (const Value& value : values) set(result.emplace_back(study), value);
+  }
+  return result;
+}
+
 struct MaxwellArguments {
   std::vector<std::string> schemes = {"fd", "int1", "int2"};
   std::vector<double> viscosities = {100}, stiffnesses = {1, 10, 100}, periods = {600}, time_steps = {1};
@@ -42,14 +53,12 @@ struct MaxwellArguments {
 
 /// One study for each combination of the lists.
 std::vector<MaxwellStudy> studies_of(const MaxwellArguments& arguments) {
-  std::vector<MaxwellStudy> studies;
-  for (const auto& scheme : arguments.schemes)
-    for (const double viscosity : arguments.viscosities)
-      for (const double period : arguments.periods)
-        for (const double time_step : arguments.time_steps)
-          for (const double stiffness : arguments.stiffnesses)
-            studies.push_back({scheme, viscosity, stiffness, 1.0, period, time_step});
-  return studies;
+  std::vector<MaxwellStudy> studies(1);
+  studies = varied(studies, arguments.schemes, [](auto& study, const auto& v) { study.scheme = v; });
+  studies = varied(studies, arguments.viscosities, [](auto& study, double v) { study.viscosity = v; });
+  studies = varied(studies, arguments.periods, [](auto& study, double v) { study.period = v; });
+  studies = varied(studies, arguments.time_steps, [](auto& study, double v) { study.time_step = v; });
+  return varied(studies, arguments.stiffnesses, [](auto& study, double v) { study.stiffness = v; });
 }
 
 void add_maxwell_command(CLI::App& study, int& exit_code) {
@@ -105,6 +114,7 @@ void add_noise_command(CLI::App& study, int& exit_code) {
 struct TwistArguments {
   TwistStudy study;
   std::vector<TwistApproach> approaches = {TwistApproach::surface, TwistApproach::flow};
+  std::vector<std::string> kernels = {"cosine4"};
   std::vector<int> levels = {4};
   std::vector<double> radii = {20}, angles = {0};
   std::string file;
@@ -112,18 +122,12 @@ struct TwistArguments {
 
 /// One study for each combination of the lists.
 std::vector<TwistStudy> studies_of(const TwistArguments& arguments) {
-  std::vector<TwistStudy> studies;
-  for (const auto approach : arguments.approaches)
-    for (const int level : arguments.levels)
-      for (const double radius : arguments.radii)
-        for (const double angle : arguments.angles) {
-          studies.push_back(arguments.study);
-          studies.back().approach = approach;
-          studies.back().level = level;
-          studies.back().radius = radius;
-          studies.back().angle_deg = angle;
-        }
-  return studies;
+  std::vector<TwistStudy> studies = {arguments.study};
+  studies = varied(studies, arguments.approaches, [](auto& study, auto v) { study.approach = v; });
+  studies = varied(studies, arguments.kernels, [](auto& study, const auto& v) { study.kernel = v; });
+  studies = varied(studies, arguments.levels, [](auto& study, int v) { study.level = v; });
+  studies = varied(studies, arguments.radii, [](auto& study, double v) { study.radius = v; });
+  return varied(studies, arguments.angles, [](auto& study, double v) { study.angle_deg = v; });
 }
 
 void add_mesh_options(CLI::App& command, TwistArguments& arguments) {
@@ -150,7 +154,7 @@ void add_motion_options(CLI::App& command, TwistArguments& arguments) {
   command.add_option("--amplitude", study.amplitude, "Amplitude A0 of the twist, radians")
       ->capture_default_str();
   command.add_option("--period", study.period, "Period T0, time steps")->capture_default_str();
-  command.add_option("--kernel", study.kernel, kernel_text)->capture_default_str();
+  command.add_option("--kernel", arguments.kernels, kernel_text)->capture_default_str();
   command.add_option("--box", study.box, "Grid nodes along each axis, at 1/2, 3/2 ...")
       ->capture_default_str();
   command.add_option("--offset", study.offset, "Centre x y z from the middle of the box, grid steps")

@@ -220,13 +220,13 @@ std::vector<TwistErrors> twist_errors(const TwistStudy& study) {
 std::string twist_table(const std::vector<TwistStudy>& studies) {
   constexpr std::array names = {"theta-phi", "theta-theta", "phi-phi"};
   std::string table =
-      "approach,level,radius,axis,angle_deg,kernel,scheme,t_over_T0,component,strain_rate,stress\n";
+      "approach,n_triangles,radius,axis,angle_deg,kernel,scheme,t_over_T0,component,strain_rate,stress\n";
   for (const auto& study : studies) {
     for (const auto& errors : twist_errors(study)) {
       for (std::size_t k = 0; k < names.size(); ++k) {
         table +=
             fmt::format("{},{},{},{} {} {},{},{},{},{:.6g},{},{:.7g},{:.7g}\n", approach_name(study.approach),
-                        study.level, study.radius, study.axis[0], study.axis[1], study.axis[2],
+                        20 << (2 * study.level), study.radius, study.axis[0], study.axis[1], study.axis[2],
                         study.angle_deg, study.approach == TwistApproach::flow ? study.kernel : "",
                         errors.scheme, errors.time, names[k], errors.strain_rate[k], errors.stress[k]);
       }
