@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
   tanktread::driver::add_run_command(app, exit_code);
   tanktread::driver::add_plan_command(app, exit_code);
   tanktread::driver::add_mesh_command(app, exit_code);
+  tanktread::driver::add_study_command(app, exit_code);
   try {
     app.parse(argc, argv);
     return exit_code;

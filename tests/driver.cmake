@@ -7,3 +7,5 @@ tanktread_test(driver_test SOURCES unit/case_schema_test.cpp unit/case_errors_te
   unit/units_parameters_test.cpp unit/units_si_test.cpp unit/echo_text_test.cpp
   integration/step_test.cpp integration/program.cpp LIBRARIES tanktread_driver)
 target_compile_definitions(driver_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
+tanktread_test(study_test SOURCES verification/study_maxwell_test.cpp verification/study_noise_test.cpp
+  verification/study_twist_test.cpp LIBRARIES tanktread_driver)

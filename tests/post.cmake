@@ -17,11 +17,13 @@ endfunction()
 
 tanktread_python_test(cases_plan ARGUMENTS $<TARGET_FILE:tanktread>)
 tanktread_python_test(cases_run)
+tanktread_python_test(cases_study ARGUMENTS $<TARGET_FILE:tanktread>)
 tanktread_python_test(include_graph)
 tanktread_python_test(post_compare)
 tanktread_python_test(post_measured)
 tanktread_python_test(post_picture DISPLAY)
 tanktread_python_test(post_small_deformation)
+tanktread_python_test(post_study)
 
 add_test(NAME include_graph
   COMMAND ${TANKTREAD_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/integration/include_graph.py ${PROJECT_SOURCE_DIR})

@@ -25,6 +25,7 @@ def build_parser():
 
     add("plot", _plot, "deformation.png and inclination.png: against shear time, the reference drawn in", False)
     add("plot-errors", _plot_errors, "errors.png: small deformation, the error against the resolution", True)
+    add("plot-tables", _plot_tables, "the plots of study.toml, the reference drawn in", True)
     add("compare", lambda a: compare.compare(a.output, a.case), "a table ours / reference / difference", True)
     add("compare-theory", _compare_theory, "tables of the error against the limit of small deformation", True)
     add("finished", lambda a: 0 if run_folder.is_finished(a.output) else 1, "exit code 0 if the run is at its end, else 1", None)
@@ -64,6 +65,12 @@ def _plot_errors(arguments):
     from . import plot
 
     return _said(plot.plot_small_deformation(arguments.output, arguments.case))
+
+
+def _plot_tables(arguments):
+    from . import plot_study
+
+    return _said(plot_study.plot_tables(arguments.output, arguments.case))
 
 
 def _compare_theory(arguments):

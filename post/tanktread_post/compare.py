@@ -2,16 +2,18 @@
 
 import pathlib
 
+from . import study
 from .observables import InputError, Observables
 from .reference import read_comparison
 from .run_folder import is_run
 
+SIDES = ("below", "above")
 HEADER = ("quantity", "at", "ours", "reference", "difference", "band", "")
 
 
 def difference(ours, reference, relative):
     """The difference as a band counts it: a share of the reference, or in the quantity's own unit."""
-    return (ours - reference) / reference if relative else ours - reference
+    return (ours - reference) / abs(reference) if relative else ours - reference
 
 
 def shown(amount, relative, sign="+"):
@@ -21,16 +23,25 @@ def shown(amount, relative, sign="+"):
 
 def verdict(amount, band):
     """True inside the band, False outside, None where nothing is judged. NaN is outside."""
-    return None if band is None else abs(amount) <= band
+    if band is None:
+        return None
+    if band in SIDES:
+        return amount < 0 if band == "below" else amount > 0
+    return abs(amount) <= band
 
 
-def table_row(label, shear_time, ours, reference, relative, band):
-    """One row of text, and its verdict."""
+def number(value):
+    """A number as text; a small one with its digits, not with zeros."""
+    return f"{value:.6f}" if value == 0 or abs(value) >= 1e-2 else f"{value:.4g}"
+
+
+def table_row(label, at, ours, reference, relative, band):
+    """One row of text, and its verdict; `at` says where it was read."""
     amount = difference(ours, reference, relative)
     inside = verdict(amount, band)
-    allowed = "" if band is None else shown(band, relative, "")
+    allowed = "" if band is None else band if band in SIDES else shown(band, relative, "")
     word = {True: "inside", False: "OUTSIDE", None: "shown only"}[inside]
-    return (label, f"{shear_time:.2f}", f"{ours:.6f}", f"{reference:.6f}", shown(amount, relative), allowed, word), inside
+    return (label, at, number(ours), number(reference), shown(amount, relative), allowed, word), inside
 
 
 def print_rows(title, header, rows):
@@ -55,13 +66,31 @@ def _run_directory(output, run, shear_time):
     return directory
 
 
+def _cell_row(output, value):
+    label = value.get("name") or f"{value['column']} {', '.join(map(str, value['where'].values()))}"
+    if not (pathlib.Path(output) / value["table"]).is_file():
+        return None, label
+    ours, wanted = study.value(output, value)
+    return table_row(label, value["table"], ours, wanted, value["relative"], value["band"]), label
+
+
+def _slope_row(output, slope):
+    label = slope.get("name") or f"slope of {slope['y']} against {slope['x']}"
+    if not (pathlib.Path(output) / slope["table"]).is_file():
+        return None, label
+    ours = study.slope(output, slope)
+    return table_row(label, slope["table"], ours, slope["reference"], slope["relative"], slope["band"]), label
+
+
 def _value_row(output, value):
+    if "table" in value:
+        return _cell_row(output, value)
     directory = _run_directory(output, value["run"], value["shear_time"])
     label = value["name"] if value["run"] is None else f"{value['run']}: {value['name']}"
     if directory is None:
         return None, label
     ours = Observables(directory).at(value["name"], value["shear_time"])
-    return table_row(label, value["shear_time"], ours, value["reference"], value["relative"], value["band"]), label
+    return table_row(label, f"{value['shear_time']:.2f}", ours, value["reference"], value["relative"], value["band"]), label
 
 
 def _change_row(output, change):
@@ -70,14 +99,14 @@ def _change_row(output, change):
     if None in directories:
         return None, label
     first, second = (Observables(directory).at(change["name"], change["shear_time"]) for directory in directories)
-    return table_row(label, change["shear_time"], second, first, True, change["band"]), label
+    return table_row(label, f"{change['shear_time']:.2f}", second, first, True, change["band"]), label
 
 
 def compare(output, case):
     """Prints the table of a case; 1 if a value lies outside its band, else 0. Runs that are not there are named."""
     wanted = read_comparison(case)
     rows, verdicts, absent = [], [], []
-    for make, entries in ((_value_row, wanted["value"]), (_change_row, wanted["change"])):
+    for make, entries in ((_value_row, wanted["value"]), (_slope_row, wanted["slope"]), (_change_row, wanted["change"])):
         for entry in entries:
             row, label = make(output, entry)
             if row is None:
@@ -86,7 +115,7 @@ def compare(output, case):
                 rows.append(row[0])
                 verdicts.append(row[1])
     if not rows:
-        raise InputError(f"{output}: none of the runs of {case} is there")
+        raise InputError(f"{output}: none of the runs or tables of {case} is there")
     header = tuple(wanted["source"] if name == "reference" else name for name in HEADER)
     print_rows(wanted["title"], header, rows)
     if absent:

@@ -100,3 +100,11 @@ def add(case, directory, run, shear_times, command, commit, log=None):
     lines = [",".join(COLUMNS)] + [line for block in blocks.values() for line in block]
     file.write_text("\n".join(lines) + "\n")
     return file
+
+
+def add_table(case, table, command, commit):
+    """Copies a table of a study to measured/ of its case, under a line that says how it was made. Returns the file."""
+    file = pathlib.Path(case) / "measured" / pathlib.Path(table).name
+    file.parent.mkdir(exist_ok=True)
+    file.write_text(f"# {datetime.date.today().isoformat()}, commit {commit}: {command}\n" + pathlib.Path(table).read_text())
+    return file

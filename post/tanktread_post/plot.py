@@ -22,7 +22,8 @@ SMALLEST_DEFORMATION = 1e-5
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000")
 
 
-def _axes(x_label, y_label):
+def new_axes(x_label, y_label):
+    """A figure with one pair of axes, in the form that all plots have."""
     figure, axes = pyplot.subplots(figsize=(7.2, 4.5), layout="constrained")
     axes.set_xlabel(x_label)
     axes.set_ylabel(y_label)
@@ -32,7 +33,8 @@ def _axes(x_label, y_label):
     return figure, axes
 
 
-def _save(figure, file):
+def save(figure, file):
+    """Writes a figure as PNG. Returns the file."""
     figure.savefig(file, dpi=160)
     pyplot.close(figure)
     return file
@@ -55,7 +57,7 @@ def plot_observables(output, case=None):
     wanted = read_comparison(case) if case else {"value": [], "source": "reference"}
     files = []
     for name, (file, label) in PLOTS.items():
-        figure, axes = _axes(r"shear time  $\dot\gamma t$", label)
+        figure, axes = new_axes(r"shear time  $\dot\gamma t$", label)
         for k, (run, observables) in enumerate(runs.items()):
             # The inclination of a sphere has no meaning: what is hardly deformed is left out.
             drawn = observables["deformation"] > SMALLEST_DEFORMATION if name == "inclination_deg" else slice(None)
@@ -66,7 +68,7 @@ def plot_observables(output, case=None):
             axes.plot(*zip(*points), "o", color="black", markerfacecolor="white", markersize=7, label=wanted["source"], zorder=3)
         axes.set_xlim(left=0)
         axes.legend(frameon=False)
-        files.append(_save(figure, pathlib.Path(output) / file))
+        files.append(save(figure, pathlib.Path(output) / file))
     return files
 
 
@@ -80,7 +82,7 @@ def plot_small_deformation(output, case):
     ratios_of = {kernel: series.kernel_ratios(kernel) for kernel in settings["kernels"]}
     if not any(ratios_of.values()):
         return []
-    figure, axes = _axes(r"grid steps a radius, inverse  $1/a$", "error of $D$ against the theory  (%)")
+    figure, axes = new_axes(r"grid steps a radius, inverse  $1/a$", "error of $D$ against the theory  (%)")
     for colour, (kernel, ratios) in zip(COLOURS, ratios_of.items()):
         if not ratios:
             continue
@@ -94,4 +96,4 @@ def plot_small_deformation(output, case):
     axes.axhline(0, color="black", linewidth=0.8)
     axes.set_xlim(left=0)
     axes.legend(frameon=False, title=f"$Ca_G$ = {settings['kernel_capillary_number']:g}, box {settings['box_in_radii']:g} $a$")
-    return [_save(figure, pathlib.Path(output) / "errors.png")]
+    return [save(figure, pathlib.Path(output) / "errors.png")]

@@ -18,6 +18,9 @@ import post_fixture
 with open("calls", "a") as stream:
     stream.write(" ".join(sys.argv[1:]) + "\\n")
 code = int(os.environ.get("FAKE_EXIT", "0"))
+if sys.argv[1] == "study":
+    pathlib.Path(sys.argv[-1]).write_text("dt,error\\n1,0.4\\n2,0.8\\n")
+    sys.exit(code)
 place = pathlib.Path(sys.argv[sys.argv.index("--output" if "--output" in sys.argv else "--resume") + 1])
 if code == 0:
     post_fixture.write_run(place, deformation=0.4, inclination=24.0, shear_time=4.2)
@@ -27,6 +30,26 @@ if "FAKE_WAIT" in os.environ:
     print("waiting", flush=True)
     time.sleep(30)
 sys.exit(code)
+"""
+STUDY = """[[table]]
+file = "first.csv"
+arguments = ["maxwell", "--dt", "1", "2"]
+[[table]]
+file = "second.csv"
+arguments = ["maxwell"]
+[[plot]]
+file = "first.png"
+table = "first.csv"
+x = "dt"
+y = "error"
+"""
+COMPARE_TABLE = """title = "made for a test"
+[[value]]
+table = "first.csv"
+where = { dt = 2 }
+column = "error"
+reference = 0.8
+band = 0.01
 """
 COMPARE = """title = "made for a test"
 read_at = [4.0]
@@ -57,6 +80,10 @@ class RunBuilt(InFolder):
         (self.folder / "cases/many/runs.csv").write_text(
             '# a comment\nrun,groups,flow.box,coupler.kernel\nfirst,a b,"[8, 8, 8]",\nsecond,b,,roma3\nthird,,,\n'
         )
+        (self.folder / "cases/tables").mkdir()
+        (self.folder / "cases/tables/study.toml").write_text(STUDY)
+        (self.folder / "cases/tables/compare.toml").write_text(COMPARE_TABLE)
+        (self.folder / "cases/tables/README.md").write_text("# The case tables\n")
         (self.folder / "bin").mkdir()
         (self.folder / "bin/tanktread").write_text(STAND_IN)
         (self.folder / "bin/tanktread").chmod(0o755)
@@ -141,10 +168,27 @@ class RunBuilt(InFolder):
         self.assertEqual((code, calls), (0, ["run cases/one/case.toml --output output/one --force"]))
         self.assertIn("replacing the earlier run", output)
 
+    def test_tables_are_made_drawn_and_compared(self):
+        code, output, calls = self.run_it("tables")
+        self.assertEqual(code, 0, output)
+        first = "study maxwell --dt 1 2 --out output/tables/first.csv"
+        self.assertEqual(calls, [first, "study maxwell --out output/tables/second.csv"])
+        for word in ("output/tables/first.png", "inside"):
+            self.assertIn(word, output)
+        code, output, calls = self.run_it("tables", "first", "--measure")
+        self.assertEqual((code, calls), (0, [first]), output)
+        text = (self.folder / "cases/tables/measured/first.csv").read_text()
+        self.assertIn(f": tanktread {first}\ndt,error\n", text)
+        self.assertFalse((self.folder / "cases/tables/measured/second.csv").exists())
+        (self.folder / "cases/tables/compare.toml").write_text(COMPARE_TABLE.replace("0.8\n", "0.9\n"))
+        self.assertEqual(self.run_it("tables")[0], 1)
+        self.assertEqual(self.run_it("tables", "third")[0], 2)
+        self.assertEqual(self.run_it("tables", FAKE_EXIT="2")[0], 2)
+
     def test_lists_the_cases(self):
         code, output, _ = self.run_it(script="cases/run")
         self.assertEqual(code, 0)
-        self.assertEqual([line.split(maxsplit=1) for line in output.splitlines()[1:]], [["many", "The case many"], ["one", "The case one"]])
+        self.assertEqual([line.split(maxsplit=1) for line in output.splitlines()[1:]], [[name, f"The case {name}"] for name in ("many", "one", "tables")])
 
 
 if __name__ == "__main__":

@@ -1,0 +1,53 @@
+"""Every case of tables makes its tables, and finds in them what it compares. Usage: cases_study_test.py TANKTREAD [unittest arguments].
+
+The short cases have to lie inside their bands. The twisting sphere, which takes long, is made with a short period: that all
+its cells are there is what is tested.
+"""
+
+import contextlib
+import io
+import subprocess
+import sys
+import unittest
+
+from post_fixture import ROOT, InFolder
+
+from tanktread_post import compare, study
+
+SHORTER = {"twisting-sphere": ["--period", "8"]}
+
+
+class CasesStudy(InFolder):
+    def make_tables(self, case):
+        for table in study.read_study(case)["table"]:
+            command = [PROGRAM, "study", *table["arguments"], *SHORTER.get(case.name, []), "--out", self.folder / table["file"]]
+            ended = subprocess.run(command, capture_output=True, text=True)
+            self.assertEqual(ended.returncode, 0, f"{case.name} {table['file']}: {ended.stderr}")
+
+    def test_tables_and_comparison(self):
+        cases = sorted(path.parent for path in (ROOT / "cases").glob("*/study.toml"))
+        self.assertGreaterEqual(len(cases), 3)
+        for case in cases:
+            with self.subTest(case=case.name):
+                self.make_tables(case)
+                with contextlib.redirect_stdout(io.StringIO()) as printed:
+                    code = compare.compare(self.folder, case)
+                self.assertNotIn("not run yet", printed.getvalue())
+                if case.name not in SHORTER:
+                    self.assertEqual(code, 0, printed.getvalue())
+
+    def test_measured_tables_are_those_of_the_study(self):
+        for case in sorted(path.parent for path in (ROOT / "cases").glob("*/study.toml")):
+            with self.subTest(case=case.name):
+                files = {table["file"] for table in study.read_study(case)["table"]}
+                self.assertEqual({file.name for file in (case / "measured").glob("*.csv")}, files)
+                with contextlib.redirect_stdout(io.StringIO()) as printed:
+                    self.assertEqual(compare.compare(case / "measured", case), 0, printed.getvalue())
+                for plot in study.read_study(case)["plot"]:
+                    self.assertTrue(study.lines_of(case / "measured", plot))
+
+
+
+if __name__ == "__main__":
+    PROGRAM = sys.argv.pop(1)
+    unittest.main()
