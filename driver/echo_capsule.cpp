@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "driver/stability.hpp"
+
 namespace tanktread::driver {
 namespace {
 
@@ -23,7 +25,7 @@ void put_moduli(EchoTable& table, const Subject& subject, const CapsuleParameter
 
 /// A part of the viscosity: its Boussinesq number, viscosity, and spring in all three forms.
 void put_viscous_part(EchoTable& table, const Subject& subject, const std::string& part, double boussinesq,
-                      double viscosity, double spring) {
+                      double viscosity, double spring, int interval) {
   if (viscosity == 0) {
     table.row("Bq_" + part, "0");
     return;
@@ -37,6 +39,9 @@ void put_viscous_part(EchoTable& table, const Subject& subject, const std::strin
                                                      : fmt::format("L k_{0}'/(U0 mu_{0})", part));
   table.row(fmt::format("k_{}'", part), number(spring), in_si(subject, spring, newton_per_metre, "N/m"),
             fmt::format("kappa_{0} g mu_{0}/2", part));
+  table.row(fmt::format("N k_{}'", part), number(interval * spring), "",
+            fmt::format("breaks down from about {:.3g} = 45 mu_o on",
+                        stable_interval_times_spring(subject.parameters.kinematic_viscosity)));
   table.row(fmt::format("tau_{} g", part), number(tau * g), "", fmt::format("g mu_{0}/k_{0}'", part));
 }
 
@@ -50,9 +55,10 @@ void put_viscosity(EchoTable& table, const Subject& subject, const CapsuleParame
   table.row("viscous scheme", viscous.scheme, "", viscous.stress_measure);
   table.row("interval N", fmt::format("{}", viscous.interval), "",
             viscous.strain_sampling == "latest" ? "steps; latest strain" : "steps; mean of the N strains");
-  put_viscous_part(table, subject, "s", viscous.boussinesq_shear, law.shear_viscosity, law.shear_spring);
+  put_viscous_part(table, subject, "s", viscous.boussinesq_shear, law.shear_viscosity, law.shear_spring,
+                   law.interval);
   put_viscous_part(table, subject, "d", viscous.boussinesq_dilatational, law.dilatational_viscosity,
-                   law.dilatational_spring);
+                   law.dilatational_spring, law.interval);
 }
 
 }  // namespace

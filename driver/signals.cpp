@@ -17,11 +17,13 @@ SignalGuard::SignalGuard() {
   caught_signal = 0;
   interrupt_ = std::signal(SIGINT, catch_signal);
   terminate_ = std::signal(SIGTERM, catch_signal);
+  file_size_ = std::signal(SIGXFSZ, SIG_IGN);
 }
 
 SignalGuard::~SignalGuard() {
   std::signal(SIGINT, interrupt_);
   std::signal(SIGTERM, terminate_);
+  std::signal(SIGXFSZ, file_size_);
 }
 
 int SignalGuard::caught() {

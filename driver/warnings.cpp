@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
-#include <tuple>
 
 #include "coupler/coupler.hpp"
 #include "driver/case_geometry.hpp"
 #include "driver/schedule.hpp"
+#include "driver/stability.hpp"
 
 namespace tanktread::driver {
 namespace {
@@ -89,18 +90,37 @@ void warn_of_membrane(Lines& lines, std::size_t number, const Case& the_case,
   }
 }
 
+/// A part of a membrane viscosity and its artificial spring.
+struct ViscousPart {
+  const char* letter;
+  const char* suffix;  ///< of its keys
+  double viscosity, spring;
+};
+
+std::array<ViscousPart, 2> parts_of(const membrane::ViscousParameters& viscous) {
+  return {{{"s", "", viscous.shear_viscosity, viscous.shear_spring},
+           {"d", "_dilatational", viscous.dilatational_viscosity, viscous.dilatational_spring}}};
+}
+
 /// A spring relaxes within tau = mu/k'; the schemes follow it as long as the interval is not longer.
-void warn_of_interval(Lines& lines, std::size_t number, const membrane::ViscousParameters& viscous) {
-  const std::tuple<const char*, double, double> parts[] = {
-      {"s", viscous.shear_viscosity, viscous.shear_spring},
-      {"d", viscous.dilatational_viscosity, viscous.dilatational_spring}};
-  for (const auto& [part, viscosity, spring] : parts) {
-    if (viscosity == 0 || viscous.interval * spring <= viscosity) continue;
-    lines.push_back(
-        fmt::format("capsule {}: the interval of {} steps is longer than the relaxation time tau_{} = {:.3g} "
-                    "steps of the spring; lower membrane.viscous.interval or the spring's stiffness",
-                    number, viscous.interval, part, viscosity / spring));
-  }
+void warn_of_interval(Lines& lines, std::size_t number, int interval, const ViscousPart& part) {
+  if (interval * part.spring <= part.viscosity) return;
+  lines.push_back(
+      fmt::format("capsule {}: the interval of {} steps is longer than the relaxation time tau_{} = {:.3g} "
+                  "steps of the spring; lower membrane.viscous.interval or the spring's stiffness",
+                  number, interval, part.letter, part.viscosity / part.spring));
+}
+
+void warn_of_stability(Lines& lines, std::size_t number, int interval, const ViscousPart& part,
+                       double outer_viscosity) {
+  const double limit = stable_interval_times_spring(outer_viscosity);
+  if (interval * part.spring <= limit) return;
+  const double ratio = limit / (interval * part.spring);
+  lines.push_back(fmt::format(
+      "capsule {}: N k_{}' = {:.3g} is over {:.3g} = 45 mu_o, from where on runs break down: divide the "
+      "stiffness of the spring (membrane.viscous.spring_...{}), the interval, or the speed of the flow by "
+      "{:.3g}",
+      number, part.letter, interval * part.spring, limit, part.suffix, 1 / ratio));
 }
 
 void warn_of_viscosity(Lines& lines, std::size_t number, const Case& the_case, const Parameters& p) {
@@ -120,7 +140,12 @@ void warn_of_viscosity(Lines& lines, std::size_t number, const Case& the_case, c
                     number, viscous.scheme));
     return;
   }
-  warn_of_interval(lines, number, *p.capsules[number].viscous);
+  const auto& law = *p.capsules[number].viscous;
+  for (const auto& part : parts_of(law)) {
+    if (part.viscosity == 0) continue;
+    warn_of_interval(lines, number, law.interval, part);
+    warn_of_stability(lines, number, law.interval, part, p.kinematic_viscosity);
+  }
 }
 
 /// Intervals become whole steps; a change of over 1 % will be seen in a plot.

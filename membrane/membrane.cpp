@@ -5,22 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <span>
-#include <sstream>
 #include <string>
 
 #include "membrane/corners_of_node.hpp"
 #include "membrane/element.hpp"
+#include "membrane/element_check.hpp"
 #include "membrane/viscous_history.hpp"
 
 namespace tanktread::membrane {
 namespace {
-
-/// An element of less than this share of its reference area has collapsed: it resolves nothing any more, and
-/// the stress of laws that resist a change of area is about to overflow.
-constexpr double least_area_ratio = 1e-3;
 
 /// Elements go through the law in blocks of this size, whatever the number of threads.
 constexpr Eigen::Index block_size = 64;
@@ -48,11 +43,10 @@ struct Membrane::Implementation {
         corners_of_node(reference.triangles, reference.points.cols()),
         positions(reference.points),
         corner_force(3, reference.triangles.size()),
-        normals(3, reference.triangles.cols()),
-        next_normals(3, reference.triangles.cols()) {
+        check(reference.triangles.cols()) {
     for (Eigen::Index t = 0; t < n_elements(); ++t) {
       elements.push_back(reference_element(corners(t)));
-      normals.col(t) = area_normal(corners(t));
+      check.normals().col(t) = area_normal(corners(t));
     }
     if (viscous_law) viscous.emplace(std::move(viscous_law), n_elements());
   }
@@ -110,17 +104,12 @@ struct Membrane::Implementation {
     }
   }
 
-  /// Takes the normals of the elements of block `number`; returns its first bad element, or `none`.
+  /// Shows the elements of block `number` to the check; returns its first bad element, or `none`.
   Eigen::Index first_bad_element(Eigen::Index number, Eigen::Index none) {
     const Eigen::Index begin = number * block_size, end = std::min(begin + block_size, n_elements());
     Eigen::Index bad = none;
     for (Eigen::Index t = begin; t < end; ++t) {
-      const Eigen::Vector3d normal = area_normal(corners(t));
-      next_normals.col(t) = normal;
-      const double area = 0.5 * normal.norm();  // not finite as soon as one position is not
-      const bool good = area >= least_area_ratio * elements[t].area && std::isfinite(area) &&
-                        normal.dot(normals.col(t)) > 0;
-      if (!good) bad = std::min(bad, t);
+      if (!check.take(t, corners(t), elements[t].area)) bad = std::min(bad, t);
     }
     return bad;
   }
@@ -133,27 +122,16 @@ struct Membrane::Implementation {
     }
   }
 
-  /// Says what is wrong with an element that has inverted.
-  [[noreturn]] void report(Eigen::Index t) const {
-    const Eigen::Matrix3d x = corners(t);
-    const double ratio = 0.5 * area_normal(x).norm() / elements[t].area;
-    std::ostringstream message;
-    const Eigen::IOFormat list(Eigen::StreamPrecision, Eigen::DontAlignCols, ", ");
-    message << "membrane element " << t << " (nodes " << reference.triangles.col(t).transpose().format(list)
-            << ") at (" << x.rowwise().mean().transpose().format(list) << ") ";
-    if (!std::isfinite(ratio)) {
-      message << "has a position that is not finite";
-    } else if (ratio < least_area_ratio) {
-      message << "has collapsed: its area is " << ratio << " of its reference area, at least "
-              << least_area_ratio << " is allowed";
-    } else {
-      const double cosine = area_normal(x).normalized().dot(normals.col(t).normalized());
-      message << "has turned inside out: its normal turned by "
-              << std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi
-              << " degrees since the last step, less than 90 are allowed";
+  /// Throws if an element is bad; else their normals are those of the last step from now on.
+  void check_elements() {
+    const Eigen::Index none = n_elements();
+    Eigen::Index bad = none;
+#pragma omp parallel for num_threads(n_threads) schedule(static) reduction(min : bad)
+    for (Eigen::Index block = 0; block < n_blocks(); ++block) {
+      bad = std::min(bad, first_bad_element(block, none));
     }
-    message << "; a shorter time step or a finer mesh may help";
-    throw InvertedElement(message.str());
+    if (bad != none) check.report(bad, reference.triangles.col(bad), corners(bad), elements[bad].area);
+    check.accept();
   }
 
   int n_threads;
@@ -163,8 +141,7 @@ struct Membrane::Implementation {
   std::vector<ReferenceElement> elements;
   Eigen::Matrix3Xd positions;
   Eigen::Matrix3Xd corner_force;  ///< scratch, a column a corner
-  Eigen::Matrix3Xd normals;       ///< twice area times normal at the last add_forces()
-  Eigen::Matrix3Xd next_normals;  ///< scratch, those of the call that is running
+  ElementCheck check;
   std::optional<ViscousHistory> viscous;
 };
 
@@ -211,26 +188,19 @@ void Membrane::set_positions(const Eigen::Ref<const Eigen::Matrix3Xd>& positions
 void Membrane::add_forces(Eigen::Ref<Eigen::Matrix3Xd> force) {
   auto& self = *implementation_;
   self.require_column_per_node("the force array", force.cols());
-  const Eigen::Index n_blocks = self.n_blocks(), none = self.n_elements();
-  Eigen::Index first_bad = none;
+  self.check_elements();
   if (self.viscous) self.viscous->begin_step();
 #pragma omp parallel num_threads(self.n_threads)
   {
-#pragma omp for schedule(static) reduction(min : first_bad)
-    for (Eigen::Index block = 0; block < n_blocks; ++block) {
-      first_bad = std::min(first_bad, self.first_bad_element(block, none));
+#pragma omp for schedule(static)
+    for (Eigen::Index block = 0; block < self.n_blocks(); ++block) {
       self.next_corner_forces(block, self.corner_force);
     }
-    // All threads read the same here: the loop above ends with a barrier.
-    if (first_bad == none) {
 #pragma omp for schedule(static)
-      for (Eigen::Index node = 0; node < force.cols(); ++node) {
-        force.col(node) += self.corners_of_node.sum(self.corner_force, node);
-      }
+    for (Eigen::Index node = 0; node < force.cols(); ++node) {
+      force.col(node) += self.corners_of_node.sum(self.corner_force, node);
     }
   }
-  if (first_bad != none) self.report(first_bad);
-  self.normals.swap(self.next_normals);
 }
 
 void Membrane::add_elastic_forces(Eigen::Ref<Eigen::Matrix3Xd> force) const {
@@ -303,20 +273,21 @@ ElementFields Membrane::element_fields() const {
 
 std::vector<double> Membrane::history() const {
   const auto& self = *implementation_;
-  std::vector<double> values(self.normals.data(), self.normals.data() + self.normals.size());
+  const auto& normals = self.check.normals();
+  std::vector<double> values(normals.data(), normals.data() + normals.size());
   if (self.viscous) self.viscous->append_to(values);
   return values;
 }
 
 void Membrane::restore_history(const std::vector<double>& history) {
   auto& self = *implementation_;
-  const auto n_normals = static_cast<std::size_t>(self.normals.size());
+  const auto n_normals = static_cast<std::size_t>(self.check.normals().size());
   const std::size_t n_needed = n_normals + (self.viscous ? self.viscous->n_values() : 0);
   if (history.size() != n_needed) {
     throw std::invalid_argument("membrane: a history of " + std::to_string(history.size()) + " numbers, " +
                                 std::to_string(n_needed) + " are needed");
   }
-  std::copy_n(history.begin(), n_normals, self.normals.data());
+  std::copy_n(history.begin(), n_normals, self.check.normals().data());
   if (self.viscous) self.viscous->restore(std::span(history).subspan(n_normals));
 }
 

@@ -60,8 +60,7 @@ class Membrane {
   /// stress into `force` (3 x n_nodes).
   /// @throws InvertedElement if an element has less than a thousandth of its reference area, its normal has
   /// turned by a right angle or more since the last call (the first call compares with the reference), or a
-  /// position is not finite; the message names the first such element. `force` is untouched then; the history
-  /// has to be restored before the membrane is used again
+  /// position is not finite; the message names the first such element. Force and history are untouched then
   /// @throws std::invalid_argument if `force` has another number of columns
   void add_forces(Eigen::Ref<Eigen::Matrix3Xd> force);
 

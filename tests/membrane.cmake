@@ -14,3 +14,4 @@ tanktread_test(membrane_shape_convergence_test SOURCES verification/membrane_sha
 tanktread_test(membrane_force_convergence_test SOURCES verification/membrane_force_convergence_test.cpp LIBRARIES membrane_test_support)
 tanktread_test(membrane_maxwell_test SOURCES verification/membrane_maxwell_test.cpp LIBRARIES tanktread::membrane)
 tanktread_test(membrane_viscous_law_test SOURCES unit/membrane_viscous_law_test.cpp LIBRARIES tanktread::membrane)
+tanktread_test(membrane_viscous_test SOURCES unit/membrane_viscous_test.cpp LIBRARIES membrane_test_support)

@@ -14,7 +14,8 @@ from .run_folder import is_finished, read_cost, read_echo
 QUANTITIES = ("deformation", "inclination_deg", "length", "width", "breadth", "volume_ratio", "area_ratio")
 PARAMETERS = ("elastic_law", "capillary_number", "capillary_modulus", "kernel", "radius", "box", "mesh", "shear_rate_by")
 COST = ("mlups", "fluid_percent", "coupler_percent", "membrane_percent")
-COLUMNS = ("run", *PARAMETERS, "shear_time", *QUANTITIES, *COST)
+VISCOUS = ("scheme", "boussinesq_shear", "boussinesq_dilatational", "spring", "interval", "strain_sampling")
+COLUMNS = ("run", *PARAMETERS, "shear_time", *QUANTITIES, *COST, *VISCOUS)
 
 
 def parameters(echo):
@@ -34,10 +35,20 @@ def parameters(echo):
     }
 
 
+def viscous_parameters(echo):
+    """The membrane viscosity of a run as text; nothing without one."""
+    viscous = echo["capsule"][0]["membrane"].get("viscous", {})
+    if viscous.get("scheme", "none") == "none":
+        return dict.fromkeys(VISCOUS, "")
+    springs = (f"{key} {viscous[key]!r}" for key in viscous if key.startswith("spring_"))
+    return {name: str(viscous.get(name, "")) for name in VISCOUS} | {"spring": " ".join(springs)}
+
+
 def rows_of(directory, run, shear_times, log=None):
     """The rows of one run at the shear times asked for, as dictionaries of text."""
     observables, cost = Observables(directory), read_cost(log)
-    common = {"run": run, **parameters(read_echo(directory))}
+    echo = read_echo(directory)
+    common = {"run": run, **parameters(echo), **viscous_parameters(echo)}
     rows = []
     for time in shear_times:
         row = {**common, "shear_time": f"{time:g}"}
@@ -70,7 +81,8 @@ def read_blocks(file):
             if comment is not None:
                 blocks[run] = [comment]
                 comment = None
-            blocks.setdefault(run, []).append(line)
+            # A file of before a column was added: its cells are empty.
+            blocks.setdefault(run, []).append(line + "," * (len(COLUMNS) - 1 - line.count(",")))
     return blocks
 
 

@@ -32,7 +32,7 @@ mesh = {{ shape = 'sphere', level = 3 }}
 elastic_law = '{law}'
 capillary_number = {capillary_number}
 capillary_modulus = '{modulus}'
-{law_parameter}
+{law_parameters}
 [coupler]
 kernel = '{kernel}'
 [run]
@@ -58,12 +58,14 @@ class InFolder(unittest.TestCase):
             self.assertIn(word, str(caught.exception))
 
 
-def write_echo(folder, radius=8.0, width=72, law="skalak", capillary_number=0.02, modulus="G_s", kernel="cosine4", shear_time=3.0, inertia=True):
-    """echo.toml of a run."""
+def write_echo(folder, radius=8.0, width=72, law="skalak", capillary_number=0.02, modulus="G_s", kernel="cosine4", shear_time=3.0, inertia=True, viscous=None):
+    """echo.toml of a run; `viscous`: the keys of its membrane viscosity."""
     folder.mkdir(parents=True, exist_ok=True)
+    law_parameters = ["area_ratio = 1.0"] if law == "skalak" else []
+    law_parameters += [f"viscous.{key} = {value!r}" for key, value in (viscous or {}).items()]
     text = ECHO.format(
         radius=radius, width=width, centre=width / 2, law=law, capillary_number=capillary_number, modulus=modulus, kernel=kernel,
-        shear_time=shear_time, inertia=str(inertia).lower(), law_parameter="area_ratio = 1.0" if law == "skalak" else "",
+        shear_time=shear_time, inertia=str(inertia).lower(), law_parameters="\n".join(law_parameters),
     )  # fmt: skip
     (folder / "echo.toml").write_text(text)
 

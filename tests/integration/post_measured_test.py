@@ -30,6 +30,25 @@ class Measured(InFolder):
         self.assertEqual(rows[0]["shear_rate_by"], "reynolds_number 0.1")
         self.assertEqual([rows[0][name] for name in measured.COST], ["48.5", "91.5", "7", "1.5"])
 
+    def test_membrane_viscosity_has_columns_of_its_own(self):
+        file = self.add("elastic", 0.04)
+        viscous = {"scheme": "fd", "boussinesq_shear": 10.0, "spring_stiffness": 100.0, "interval": 25}
+        file = self.add("viscous", 0.03, viscous=viscous)
+        rows = {row["run"]: row for row in reference.read_table(file)}
+        self.assertEqual([rows["elastic"][name] for name in measured.VISCOUS], [""] * 6)
+        self.assertEqual(
+            [rows["viscous"][name] for name in measured.VISCOUS], ["fd", "10.0", "", "spring_stiffness 100.0", "25", ""]
+        )
+
+    def test_a_file_with_fewer_columns_is_filled_up(self):
+        file = self.add("old", 0.04)
+        n = len(measured.VISCOUS)
+        file.write_text("\n".join(l if l.startswith("#") else l.rsplit(",", n)[0] for l in file.read_text().splitlines()))
+        self.add("new", 0.05)
+        rows = {row["run"]: row for row in reference.read_table(file)}
+        self.assertEqual(rows["old"]["deformation"], "0.04")
+        self.assertEqual(rows["old"]["interval"], "")
+
     def test_measuring_again_replaces_that_run_only(self):
         self.add("a", 0.04, commit="one")
         self.add("b", 0.05, commit="two")

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+
 #include <csignal>
 #include <fstream>
 
@@ -107,6 +109,21 @@ TEST_F(Run, KilledAndResumedEqualsUninterrupted) {
   ASSERT_EQ(run_program(run_to("whole")).exit_code, 0);
   const auto killed =
       run_and_signal(run_to("killed"), SIGKILL, [&] { return has_checkpoint_after("killed", "0000000240"); });
+  ASSERT_EQ(killed.exit_code, 128 + SIGKILL) << "the run ended before it was killed";
+  const auto resumed = run_program({"run", "--resume", (directory_ / "killed").string()});
+  ASSERT_EQ(resumed.exit_code, 0) << resumed.output;
+  expect_same_results("whole", "killed");
+}
+
+TEST_F(Run, AViscousMembraneGoesOnBitForBitFromWithinAnInterval) {
+  // 60 steps between checkpoints, 7 between updates: a checkpoint falls within an interval.
+  const std::vector<std::string> viscous = {
+      "--set",
+      "membrane.viscous={scheme = \"fd\", boussinesq_shear = 10, boussinesq_dilatational = 2, "
+      "spring_stiffness = 50, interval = 7, strain_sampling = \"moving-average\"}"};
+  ASSERT_EQ(run_program(run_to("whole", viscous)).exit_code, 0);
+  const auto killed = run_and_signal(run_to("killed", viscous), SIGKILL,
+                                     [&] { return has_checkpoint_after("killed", "0000000240"); });
   ASSERT_EQ(killed.exit_code, 128 + SIGKILL) << "the run ended before it was killed";
   const auto resumed = run_program({"run", "--resume", (directory_ / "killed").string()});
   ASSERT_EQ(resumed.exit_code, 0) << resumed.output;
@@ -230,6 +247,36 @@ TEST_F(Run, AWriteThatFailsStopsWithTheLastGoodState) {
   std::ofstream(directory_ / "out/membrane") << "a file where the folder should be";
   const auto ended = run_program({"run", "--resume", (directory_ / "out").string(), "--shear-time", "0.4"});
   EXPECT_EQ(ended.exit_code, 3) << ended.output;
+}
+
+/// No file of this process and its children can grow over a size while it lives.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+TEST_F(Run, ADiskThatIsFullInMidRunStopsItAndItGoesOnLater) {
+  ASSERT_EQ(run_program(run_to("whole", {"--shear-time", "0.4"})).exit_code, 0);
+  ASSERT_EQ(run_program(run_to("out", {"--shear-time", "0.2"})).exit_code, 0);
+  const std::vector<std::string> go_on = {"run", "--resume", (directory_ / "out").string(), "--shear-time",
+                                          "0.4"};
+  {
+    const FileSizeLimit limit(1000000);  // the next checkpoint holds 24^3 nodes of 19 doubles: 2.1 MB
+    const auto ended = run_program(go_on);
+    EXPECT_EQ(ended.exit_code, 3) << ended.output;
+    EXPECT_THAT(ended.output, AllOf(HasSubstr("fluid.vti"), HasSubstr("last good state"),
+                                    HasSubstr("checkpoints/step_0000000120")));
+  }
+  ASSERT_EQ(run_program(go_on).exit_code, 0);
+  expect_same_results("whole", "out");
 }
 
 TEST(Program, HelpAndVersionOnEveryLevel) {

@@ -114,4 +114,38 @@ TEST(CaseWarnings, MembraneViscosityThatIsSwitchedOff) {
               ElementsAre(AllOf(HasSubstr("capsule 0"), HasSubstr("viscous.scheme = \"none\""))));
 }
 
+TEST(CaseWarnings, MembraneViscosityThatIsZero) {
+  EXPECT_THAT(warnings_of({"membrane.viscous={scheme = \"fd\", spring_stiffness = 100}"}),
+              ElementsAre(AllOf(HasSubstr("capsule 0"), HasSubstr("both Boussinesq numbers are 0"))));
+}
+
+TEST(CaseWarnings, AnIntervalLongerThanTheRelaxationTime) {
+  // tau = 5 steps by modulus: mu_s = Bq_s mu_o a.
+  const auto mu_s = parameters(parse(least_case, {"membrane.viscous={scheme = \"fd\", boussinesq_shear = 1, "
+                                                  "spring_stiffness = 100}"}))
+                        .capsules[0]
+                        .viscous->shear_viscosity;
+  const auto with_interval = [&](int interval) {
+    return warnings_of({"membrane.viscous={scheme = \"fd\", boussinesq_shear = 1, spring_modulus = " +
+                        std::to_string(mu_s / 5) + ", interval = " + std::to_string(interval) + "}"});
+  };
+  EXPECT_THAT(with_interval(4), IsEmpty());
+  EXPECT_THAT(with_interval(6),
+              ElementsAre(AllOf(HasSubstr("interval of 6 steps"), HasSubstr("tau_s = 5 "))));
+}
+
+TEST(CaseWarnings, ASpringTooStiffForAnExplicitUpdate) {
+  // least_case has mu_o = 1/6: 45 mu_o = 7.5. With Bq_s = 100 (mu_s = 100) no interval here exceeds tau.
+  const auto with = [&](const std::string& keys) {
+    return warnings_of({"membrane.viscous={scheme = \"fd\", boussinesq_shear = 100, " + keys + "}"});
+  };
+  EXPECT_THAT(with("spring_modulus = 7.4"), IsEmpty());
+  EXPECT_THAT(with("spring_modulus = 15.0"),
+              ElementsAre(AllOf(HasSubstr("N k_s' = 15 is over 7.5"), HasSubstr("by 2"))));
+  EXPECT_THAT(with("spring_modulus = 0.74, interval = 10"), IsEmpty());
+  EXPECT_THAT(with("spring_modulus = 0.76, interval = 10"), ElementsAre(HasSubstr("N k_s' = 7.6 is over")));
+  EXPECT_THAT(with("spring_modulus = 0.1, boussinesq_dilatational = 100, spring_modulus_dilatational = 8"),
+              ElementsAre(AllOf(HasSubstr("N k_d' = 8 is over"), HasSubstr("spring_..._dilatational"))));
+}
+
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include <sstream>
 
-#include "driver/echo_table.hpp"
 #include "driver/echo.hpp"
+#include "driver/echo_table.hpp"
 #include "driver/warnings.hpp"
 #include "tests/unit/case_samples.hpp"
 
@@ -68,6 +68,20 @@ TEST(Echo, NamesOnlyWhatTheCaseHas) {
   EXPECT_THAT(line_of(poiseuille, "body force z"), HasSubstr("8 nu U0/L^2"));
   EXPECT_THAT(poiseuille, AllOf(HasSubstr("walls across y, body force along z"), HasSubstr("capsule 1"),
                                 HasSubstr("no inertia"), HasSubstr("never")));
+}
+
+TEST(Echo, MembraneViscosityWithItsSpringInAllForms) {
+  // a = 6, mu_o = 1/6, g = 0.1/6/36: mu_s = 10; kappa 100 is k' = 100 g 10/2 and tau g = 2/100.
+  const auto text = echo_of(parse(least_case, {"membrane.viscous={scheme = \"int1\", boussinesq_shear = 10, "
+                                               "spring_stiffness = 100, interval = 3}"}));
+  EXPECT_EQ(line_of(text, "viscous scheme"), "viscous scheme int1 rate-of-deformation");
+  EXPECT_EQ(line_of(text, "interval N"), "interval N 3 steps; latest strain");
+  EXPECT_EQ(line_of(text, "Bq_s"), "Bq_s 10 mu_s/(mu_o a)");
+  EXPECT_EQ(line_of(text, "mu_s"), "mu_s 10 Bq_s mu_o a");
+  EXPECT_EQ(line_of(text, "kappa_s"), "kappa_s 100 L k_s'/(U0 mu_s)");
+  EXPECT_EQ(line_of(text, "k_s'"), "k_s' 0.231481 kappa_s g mu_s/2");
+  EXPECT_EQ(line_of(text, "tau_s g"), "tau_s g 0.02 g mu_s/k_s'");
+  EXPECT_EQ(line_of(text, "Bq_d"), "Bq_d 0");
 }
 
 TEST(Echo, SiColumn) {

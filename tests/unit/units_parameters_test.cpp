@@ -117,4 +117,57 @@ TEST(UnitsParameters, RelaxationTimes) {
   EXPECT_EQ(bgk.relaxation_time_odd, bgk.relaxation_time);
 }
 
+TEST(UnitsParameters, NoMembraneViscosityWithoutASchemeOrABoussinesqNumber) {
+  EXPECT_FALSE(parameters(parse(least_case)).capsules[0].viscous);
+  EXPECT_FALSE(
+      parameters(parse(least_case, {"membrane.viscous={boussinesq_shear = 10}"})).capsules[0].viscous);
+  EXPECT_FALSE(parameters(parse(least_case, {"membrane.viscous={scheme = \"fd\", spring_stiffness = 100}"}))
+                   .capsules[0]
+                   .viscous);
+}
+
+TEST(UnitsParameters, MembraneViscosityAndTheThreeFormsOfItsSpring) {
+  // least_case: a = 6, nu = 1/6, L = 44, g = 0.1 nu/a^2, U0 = g L/2.
+  const auto viscous = [](const std::string& keys) {
+    const auto p = parameters(parse(least_case, {"membrane.viscous={scheme = \"int2\", interval = 4, "
+                                                 "boussinesq_shear = 10, boussinesq_dilatational = 5, " +
+                                                 keys + "}"}));
+    return std::pair(p, p.capsules[0].viscous.value());
+  };
+  const auto [p, by_stiffness] = viscous("spring_stiffness = 100");
+  EXPECT_EQ(by_stiffness.scheme, "int2");
+  EXPECT_EQ(by_stiffness.interval, 4);
+  expect_near(by_stiffness.shear_viscosity, 10.0);  // Bq_s nu a = 10 * 6/6
+  expect_near(by_stiffness.dilatational_viscosity, 5.0);
+  // kappa = L k'/(U0 mu_s) (Sect. 3.4.3); the dilatational spring relaxes as fast as that of the shear.
+  expect_near(44.0 * by_stiffness.shear_spring / (p.wall_speed * 10.0), 100.0);
+  expect_near(by_stiffness.dilatational_spring / 5.0, by_stiffness.shear_spring / 10.0);
+
+  const auto [q, by_time] =
+      viscous("spring_relaxation_time = 0.05, spring_relaxation_time_dilatational = 0.1");
+  expect_near(10.0 / by_time.shear_spring * q.shear_rate, 0.05);  // tau g
+  expect_near(5.0 / by_time.dilatational_spring * q.shear_rate, 0.1);
+
+  const auto [r, by_modulus] = viscous("spring_modulus = 0.3, spring_modulus_dilatational = 0.2");
+  expect_near(by_modulus.shear_spring, 0.3);
+  expect_near(by_modulus.dilatational_spring, 0.2);
+
+  const auto [t, by_both] = viscous("spring_modulus = 0.3, spring_stiffness_dilatational = 50");
+  expect_near(44.0 * by_both.dilatational_spring / (t.wall_speed * 5.0), 50.0);
+}
+
+TEST(UnitsParameters, SamplingAndMeasureGoIntoTheLaw) {
+  using namespace tanktread::membrane;
+  const std::string keys = "membrane.viscous={scheme = \"fd\", boussinesq_shear = 1, spring_stiffness = 100";
+  const auto preset = parameters(parse(least_case, {keys + "}"})).capsules[0].viscous.value();
+  EXPECT_EQ(preset.sampling, StrainSampling::latest);
+  EXPECT_EQ(preset.measure, StressMeasure::rate_of_deformation);
+  const auto other = parameters(parse(least_case, {keys + ", strain_sampling = \"moving-average\", "
+                                                          "stress_measure = \"rate-of-strain\"}"}))
+                         .capsules[0]
+                         .viscous.value();
+  EXPECT_EQ(other.sampling, StrainSampling::moving_average);
+  EXPECT_EQ(other.measure, StressMeasure::rate_of_strain);
+}
+
 }  // namespace
