@@ -103,7 +103,10 @@ def _change_row(output, change):
 
 
 def compare(output, case):
-    """Prints the table of a case; 1 if a value lies outside its band, else 0. Runs that are not there are named."""
+    """Prints the table of a case; 1 if a value lies outside its band, else 0. Runs that are not there are named.
+
+    A choice of runs may have no value that is judged; that is said, and is no failure.
+    """
     wanted = read_comparison(case)
     rows, verdicts, absent = [], [], []
     for make, entries in ((_value_row, wanted["value"]), (_slope_row, wanted["slope"]), (_change_row, wanted["change"])):
@@ -120,4 +123,6 @@ def compare(output, case):
     print_rows(wanted["title"], header, rows)
     if absent:
         print("not run yet: " + ", ".join(absent))
+    if all(inside is None for inside in verdicts):
+        print("nothing was judged: no value with a band is there")
     return 1 if False in verdicts else 0

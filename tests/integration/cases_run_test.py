@@ -18,6 +18,8 @@ import post_fixture
 with open("calls", "a") as stream:
     stream.write(" ".join(sys.argv[1:]) + "\\n")
 code = int(os.environ.get("FAKE_EXIT", "0"))
+if "--help" in sys.argv:
+    sys.exit(code)
 if sys.argv[1] == "study":
     pathlib.Path(sys.argv[-1]).write_text("dt,error\\n1,0.4\\n2,0.8\\n")
     sys.exit(code)
@@ -167,6 +169,11 @@ class RunBuilt(InFolder):
         code, output, calls = self.run_it("one")
         self.assertEqual((code, calls), (0, ["run cases/one/case.toml --output output/one --force"]))
         self.assertIn("replacing the earlier run", output)
+
+    def test_help_runs_and_draws_nothing(self):
+        write_run(self.folder / "output/one", shear_time=4.2)
+        code, output, calls = self.run_it("one", "--help")
+        self.assertEqual((code, output, calls), (0, "", ["run --help"]))
 
     def test_tables_are_made_drawn_and_compared(self):
         first = "study maxwell --dt 1 2 --out output/tables/first.csv"

@@ -119,6 +119,7 @@ class Comparing(InFolder):
         code, text = self.compare('title = ""\n[[value]]\nname = "deformation"\nshear_time = 1\nreference = 0.4\n')
         self.assertEqual(code, 0)
         self.assertIn("shown only", text)
+        self.assertIn("nothing was judged", text)
 
     def test_runs_side_by_side(self):
         change = '[[change]]\nname = "deformation"\nshear_time = 1\nfrom = "a"\nto = "{to}"\nband = 0.003\n'
