@@ -125,9 +125,9 @@ class Series:
         """The readings whose members equal those given, in the box of the resolution series."""
         return [r for r in self.readings if self.in_box(r) and all(getattr(r, k) == v for k, v in wanted.items())]
 
-    def slopes(self, law):
-        """{radius: D/Ca_G over that of the theory at Ca_G = 0} of the default kernel."""
-        chosen = self.select(law=law, kernel=self.settings["kernel"])
+    def slopes(self, law, kernel):
+        """{radius: D/Ca_G over that of the theory at Ca_G = 0}."""
+        chosen = self.select(law=law, kernel=kernel)
         radii = sorted({r.radius for r in chosen})
         by_radius = {radius: [r for r in chosen if r.radius == radius] for radius in radii}
         return {radius: slope_ratio(group) for radius, group in by_radius.items() if len(group) > 1}
@@ -174,6 +174,16 @@ def _table(title, label, rows, radii):
     print_rows(title, header, [(name, *(_percent(ratios.get(a)) for a in radii), _percent(limit), word) for name, ratios, limit, word in rows])
 
 
+def _slope_row(series, law, kernel, factor, inside):
+    """A row of the table of slopes; whether it lies in the band is added to `inside` if it is known."""
+    slopes = series.slopes(law, kernel)
+    limit = extrapolated(slopes, factor, series.settings["least_radius"])
+    if math.isnan(limit):
+        return law, slopes, limit, "not judged yet"
+    inside.append(abs(limit - 1.0) <= series.settings["band"])
+    return law, slopes, limit, "inside" if inside[-1] else "OUTSIDE"
+
+
 def compare(output, case):
     """Prints the errors against the theory; 1 if an extrapolated slope lies outside the band, else 0."""
     settings = read_comparison(case)["small_deformation"]
@@ -185,17 +195,10 @@ def compare(output, case):
     factor = series.factor()
     print(f"D over that of the theory, less one, read at shear time {settings['shear_time']:g}")
 
-    rows, inside = [], []
-    for law in settings["laws"]:
-        slopes = series.slopes(law)
-        limit = extrapolated(slopes, factor, settings["least_radius"])
-        if math.isnan(limit):
-            word = "not judged yet"
-        else:
-            inside.append(abs(limit - 1.0) <= settings["band"])
-            word = "inside" if inside[-1] else "OUTSIDE"
-        rows.append((law, slopes, limit, word))
-    _table(f"slope D/Ca_G at Ca_G = 0, kernel {settings['kernel']}; band {100 * settings['band']:g} %", "law", rows, radii)
+    inside = []
+    for kernel in settings["slope_kernels"]:
+        rows = [_slope_row(series, law, kernel, factor, inside) for law in settings["laws"]]
+        _table(f"slope D/Ca_G at Ca_G = 0, kernel {kernel}; band {100 * settings['band']:g} %", "law", rows, radii)
 
     rows = []
     for kernel in settings["kernels"]:
