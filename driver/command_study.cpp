@@ -4,18 +4,33 @@
 #include <memory>
 #include <stdexcept>
 
+#include "coupler/coupler.hpp"
 #include "driver/case.hpp"
 #include "driver/commands.hpp"
 #include "driver/study_maxwell.hpp"
 #include "driver/study_noise.hpp"
 #include "driver/study_twist.hpp"
 #include "exchange/vtk_files.hpp"
+#include "membrane/maxwell.hpp"
 
 namespace tanktread::driver {
 namespace {
 
-constexpr const char* schemes_text = "Schemes of the viscous law: fd, int1, int2";
-constexpr const char* kernel_text = "Discrete delta: cosine4, roma3, peskin4, linear2";
+/// "what: name, name, ..." of a table of schemes or kernels.
+template <class Table>
+std::string text_of(const std::string& what, const Table& table) {
+  std::string names;
+  for (const auto& entry : table) names += (names.empty() ? "" : ", ") + entry.name;
+  return what + ": " + names;
+}
+
+std::string schemes_text() {
+  return text_of("Schemes of the viscous law", membrane::maxwell_schemes());
+}
+
+std::string kernel_text() {
+  return text_of("Discrete delta", coupler::kernels());
+}
 
 /// Writes the table that `make` returns; what the studies refuse is bad input.
 template <class Make>
@@ -65,7 +80,7 @@ void add_maxwell_command(CLI::App& study, int& exit_code) {
   auto* command = study.add_subcommand(
       "maxwell", "A Maxwell element under the strain 1 - cos(2 pi t/T0), against its exact stress");
   auto arguments = std::make_shared<MaxwellArguments>();
-  command->add_option("--scheme", arguments->schemes, schemes_text)->capture_default_str();
+  command->add_option("--scheme", arguments->schemes, schemes_text())->capture_default_str();
   command->add_option("--mu", arguments->viscosities, "Viscosities mu, force times time")
       ->capture_default_str();
   command->add_option("--k", arguments->stiffnesses, "Stiffnesses k' of the spring, force")
@@ -87,7 +102,7 @@ void add_noise_command(CLI::App& study, int& exit_code) {
   auto noise = std::make_shared<NoiseStudy>();
   auto intervals = std::make_shared<std::vector<int>>(std::vector{1, 5, 10, 20, 40});
   auto file = std::make_shared<std::string>();
-  command->add_option("--kernel", noise->kernel, kernel_text)->capture_default_str();
+  command->add_option("--kernel", noise->kernel, kernel_text())->capture_default_str();
   command->add_option("--nodes", noise->nodes, "Grid steps along a side of the unit square")
       ->capture_default_str();
   command->add_option("--dt", noise->time_step, "Time step, times of the flow 3 x^2 y - y^3")
@@ -154,7 +169,7 @@ void add_motion_options(CLI::App& command, TwistArguments& arguments) {
   command.add_option("--amplitude", study.amplitude, "Amplitude A0 of the twist, radians")
       ->capture_default_str();
   command.add_option("--period", study.period, "Period T0, time steps")->capture_default_str();
-  command.add_option("--kernel", arguments.kernels, kernel_text)->capture_default_str();
+  command.add_option("--kernel", arguments.kernels, kernel_text())->capture_default_str();
   command.add_option("--box", study.box, "Grid nodes along each axis, at 1/2, 3/2 ...")
       ->capture_default_str();
   command.add_option("--offset", study.offset, "Centre x y z from the middle of the box, grid steps")
@@ -167,7 +182,7 @@ void add_law_options(CLI::App& command, TwistArguments& arguments) {
   const std::map<std::string, membrane::StressMeasure> measures = {
       {"rate-of-deformation", membrane::StressMeasure::rate_of_deformation},
       {"rate-of-strain", membrane::StressMeasure::rate_of_strain}};
-  command.add_option("--scheme", study.schemes, schemes_text)->capture_default_str();
+  command.add_option("--scheme", study.schemes, schemes_text())->capture_default_str();
   command
       .add_option("--mu-s", study.viscosity,
                   "Viscosity mu_s of Eq. 3.38 (2 mu_s of the law), force times steps a length")

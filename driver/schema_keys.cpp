@@ -7,6 +7,7 @@
 #include "coupler/coupler.hpp"
 #include "driver/schema_members.hpp"
 #include "membrane/elastic_law.hpp"
+#include "membrane/maxwell.hpp"
 
 namespace tanktread::driver {
 namespace {
@@ -14,6 +15,12 @@ namespace {
 std::vector<std::string> elastic_law_names() {
   std::vector<std::string> names;
   for (const auto& entry : membrane::elastic_law_table()) names.push_back(entry.name);
+  return names;
+}
+
+std::vector<std::string> viscous_scheme_names() {
+  std::vector<std::string> names = {"none"};
+  for (const auto& scheme : membrane::maxwell_schemes()) names.push_back(scheme.name);
   return names;
 }
 
@@ -94,7 +101,7 @@ std::vector<Key> viscous_keys(const std::string& prefix) {
   using V = ViscousCase;
   return {
       key<InViscous<&V::scheme>>(prefix + "scheme", "", "update of the Maxwell element; none: no viscosity")
-          .one_of({"none", "fd", "int1", "int2"}),
+          .one_of(viscous_scheme_names()),
       key<InViscous<&V::boussinesq_shear>>(prefix + "boussinesq_shear", "", "Bq_s = mu_s/(mu_o a)")
           .from(0)
           .unless(refuse_beside_si),
