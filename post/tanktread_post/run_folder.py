@@ -55,3 +55,14 @@ def read_cost(log):
         for name, share in zip(("fluid_percent", "coupler_percent", "membrane_percent"), split[-1]):
             cost[name] = float(share)
     return cost
+
+
+def breakdown(log):
+    """What the log of a run says of the breakdown with which it ended last; None if it did not break down."""
+    if not pathlib.Path(log).is_file():
+        return None
+    text = pathlib.Path(log).read_text(errors="replace")
+    start = text.rfind("tanktread: error: ")
+    if start < 0 or start < text.rfind("ended at step") or "last good state: " not in text[start:]:
+        return None
+    return text[start:].splitlines()[0].removeprefix("tanktread: error: ")

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import unittest
 
+import post_first_peak_test
 from post_fixture import ROOT, InFolder, write_run
 
 # A tanktread that appends its arguments to `calls`, writes a finished run (if all goes well), and ends with FAKE_EXIT.
@@ -27,6 +28,11 @@ place = pathlib.Path(sys.argv[sys.argv.index("--output" if "--output" in sys.arg
 if code == 0:
     post_fixture.write_run(place, deformation=0.4, inclination=24.0, shear_time=4.2)
     post_fixture.write_pictures(place) if not (place / "membrane").exists() else None
+if "FAKE_BREAKDOWN" in os.environ:
+    import post_first_peak_test
+    post_first_peak_test.write_peak(place, 100.0, 0.4)
+    print(post_first_peak_test.BROKEN, flush=True)
+    sys.exit(3)
 if "FAKE_WAIT" in os.environ:
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     print("waiting", flush=True)
@@ -144,6 +150,20 @@ class RunBuilt(InFolder):
                 self.assertEqual((code, calls), (2, []), output)
         (self.folder / "cases/many/compare.toml").write_text(COMPARE.format(band=0.01).replace("0.4\n", "0.5\n"))
         self.assertEqual(self.run_it("many", "first")[0], 1)
+
+    def test_where_a_breakdown_is_a_result_the_series_goes_on(self):
+        self.assertEqual(len(self.run_it("many", FAKE_BREAKDOWN="1")[2]), 1, "elsewhere the first one ends it")
+        shutil.rmtree(self.folder / "output")
+        case = self.folder / "cases/many"
+        (case / "compare.toml").write_text(post_first_peak_test.COMPARE)
+        (case / "fit.csv").write_text(post_first_peak_test.FIT)
+        (case / "stability.csv").write_text("bq_s,N,kappa,outcome\n")
+        code, output, calls = self.run_it("many", FAKE_BREAKDOWN="1")
+        self.assertEqual((code, len(calls)), (0, 3), output)
+        code, output, calls = self.run_it("many", FAKE_BREAKDOWN="1")
+        self.assertEqual((code, calls), (0, []), output)
+        self.assertEqual(output.count("broke down before"), 3)
+        self.assertEqual(len(self.run_it("many", "--again", FAKE_BREAKDOWN="1")[2]), 3)
 
     def test_a_signal_reaches_the_run(self):
         process = self.start("many", "first", FAKE_WAIT="1")

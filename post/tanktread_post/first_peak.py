@@ -1,0 +1,136 @@
+"""The first peak of the deformation against the stiffness of the artificial spring, and which runs break down.
+
+The thesis fits the peak by D1 = A kappa^-b + c (Eq. 3.42), and maps stable and unstable runs over the interval N and
+kappa. A run that breaks down is a result here: it is known by its log.
+"""
+
+import dataclasses
+import math
+import pathlib
+
+import numpy
+
+from .compare import print_rows, table_row
+from .observables import InputError, Observables
+from .reference import look_up, read_comparison, read_table
+from .run_folder import breakdown, is_finished, is_run, read_echo
+
+
+@dataclasses.dataclass(frozen=True)
+class Reading:
+    """One run: its parameters, whether it broke down, and the first peak of D (NaN: none yet, or broken down)."""
+
+    run: str
+    boussinesq_shear: float
+    stiffness: float  # kappa
+    interval: int  # N
+    interval_times_spring: float  # N k_s', lattice units
+    broke_down: bool
+    peak: float
+
+
+def first_peak(deformation):
+    """The first local maximum of a curve at equal distances, by the parabola through it and its neighbours; NaN without one."""
+    for before, top, after in zip(deformation, deformation[1:], deformation[2:]):
+        if before < top >= after:
+            curvature = before - 2 * top + after
+            return float(top - (after - before) ** 2 / (8 * curvature))
+    return math.nan
+
+
+def spring(echo):
+    """k_s' = kappa g mu_s/2 in lattice units, g = 2 U0/L, mu_s = Bq_s nu a."""
+    flow, capsule = echo["flow"], echo["capsule"][0]
+    viscous, height = capsule["membrane"]["viscous"], flow["box"]["xyz".index(flow["wall_axis"])]
+    if "wall_speed" not in flow or "spring_stiffness" not in viscous:
+        raise InputError("flow.wall_speed and membrane.viscous.spring_stiffness are needed")
+    viscosity = viscous["boussinesq_shear"] * (flow["relaxation_time"] - 0.5) / 3 * capsule["radius"]
+    return viscous["spring_stiffness"] * flow["wall_speed"] / height * viscosity
+
+
+def read_run(directory, log):
+    """The reading of one run that is finished or broken down; None of another."""
+    broken = breakdown(log) is not None
+    if not broken and not is_finished(directory):
+        return None
+    echo = read_echo(directory)
+    viscous = echo["capsule"][0]["membrane"]["viscous"]
+    return Reading(
+        run=pathlib.Path(directory).name,
+        boussinesq_shear=viscous["boussinesq_shear"],
+        stiffness=viscous["spring_stiffness"],
+        interval=viscous["interval"],
+        interval_times_spring=viscous["interval"] * spring(echo),
+        broke_down=broken,
+        peak=math.nan if broken else first_peak(Observables(directory)["deformation"]),
+    )
+
+
+def read_runs(output):
+    """The readings of all runs below a folder."""
+    directories = sorted(path for path in pathlib.Path(output).iterdir() if is_run(path)) if pathlib.Path(output).is_dir() else []
+    readings = (read_run(path, path.with_name(path.name + ".log")) for path in directories)
+    return [reading for reading in readings if reading is not None]
+
+
+def fit(stiffness, peak):
+    """A, b, c of peak = A stiffness^-b + c by least squares; NaN with fewer than four points.
+
+    For a given b it is a straight line; the best b between 0.2 and 2 is found on a grid, twice refined.
+    """
+    if len(set(stiffness)) < 4:
+        return math.nan, math.nan, math.nan
+
+    def line(b):
+        matrix = numpy.stack([numpy.power(stiffness, -b), numpy.ones(len(stiffness))], axis=1)
+        (a, c), *_ = numpy.linalg.lstsq(matrix, numpy.asarray(peak), rcond=None)
+        return float(numpy.sum((matrix @ (a, c) - peak) ** 2)), float(a), float(c)
+
+    low, high = 0.2, 2.0
+    for _ in range(3):
+        grid = numpy.linspace(low, high, 181)
+        best = float(min(grid, key=lambda b: line(b)[0]))
+        low, high = max(0.2, best - grid[1] + grid[0]), min(2.0, best + grid[1] - grid[0])
+    _, a, c = line(best)
+    return a, best, c
+
+
+def fits(readings):
+    """{Bq_s: (A, b, c)} of the stable runs with a peak."""
+    result = {}
+    for number in sorted({r.boussinesq_shear for r in readings}):
+        chosen = [r for r in readings if r.boussinesq_shear == number and not math.isnan(r.peak)]
+        result[number] = fit([r.stiffness for r in chosen], [r.peak for r in chosen])
+    return result
+
+
+def compare(output, case):
+    """Prints peaks, fits and the map of stability; 1 if a limit c lies outside its band, else 0."""
+    settings, readings = read_comparison(case)["first_peak"], read_runs(output)
+    if not readings:
+        raise InputError(f"{output}: no run that is finished or broken down is there")
+    readings.sort(key=lambda r: (r.boussinesq_shear, r.interval, r.stiffness))
+    print_rows(
+        "First peak of D, and stability",
+        ("run", "Bq_s", "N", "kappa", "N k_s'", "D1", "outcome"),
+        [
+            (r.run, f"{r.boussinesq_shear:g}", f"{r.interval}", f"{r.stiffness:g}", f"{r.interval_times_spring:.3g}",
+             "" if math.isnan(r.peak) else f"{r.peak:.5f}", "breaks down" if r.broke_down else "stable")
+            for r in readings
+        ],
+    )  # fmt: skip
+    rows, verdicts = [], []
+    for number, values in fits(readings).items():
+        for name, value, band in zip("Abc", values, (None, None, settings["band"])):
+            if math.isnan(value):
+                continue
+            where = {"bq_s": number}
+            published = look_up(case, {"file": settings["fit"], "where": where, "column": name})
+            row, inside = table_row(f"Bq_s = {number:g}: {name}", "", value, published, True, band)
+            rows.append(row)
+            verdicts.append(inside)
+    if rows:
+        print_rows("D1 = A kappa^-b + c", ("quantity", "", "ours", "thesis", "difference", "band", ""), rows)
+    published = read_table(pathlib.Path(case) / settings["stability"])
+    print("\nthesis: " + "; ".join(f"Bq_s {r['bq_s']}, N {r['N']}, kappa {r['kappa']} {r['outcome']}" for r in published))
+    return 1 if False in verdicts else 0

@@ -1,0 +1,52 @@
+"""Pictures of the first peak of the deformation against kappa, and of stable and unstable runs over N and kappa."""
+
+import math
+import pathlib
+
+import numpy
+
+from . import first_peak
+from .plot import COLOURS, new_axes, save
+from .reference import read_comparison, read_table
+
+
+def plot_peaks(output, case, readings):
+    """first_peak.png: D1 against kappa, with our fit and the published one."""
+    settings = read_comparison(case)["first_peak"]
+    published = {float(row["bq_s"]): row for row in read_table(pathlib.Path(case) / settings["fit"])}
+    figure, axes = new_axes(r"stiffness of the spring  $\kappa$", "first peak  $D_1$")
+    axes.set_xscale("log")
+    for colour, (number, (a, b, c)) in zip(COLOURS, first_peak.fits(readings).items()):
+        chosen = [r for r in readings if r.boussinesq_shear == number and not math.isnan(r.peak)]
+        if not chosen:
+            continue
+        axes.plot([r.stiffness for r in chosen], [r.peak for r in chosen], "o", color=colour, label=f"$Bq_s$ = {number:g}")
+        x = numpy.geomspace(1, max(r.stiffness for r in chosen), 100)
+        if not math.isnan(a):
+            axes.plot(x, a * x**-b + c, color=colour, linewidth=1)
+        if number in published:
+            a, b, c = (float(published[number][name]) for name in "Abc")
+            axes.plot(x, a * x**-b + c, "--", color="black", linewidth=1, label=f"thesis, $Bq_s$ = {number:g}")
+    axes.legend(frameon=False)
+    return save(figure, pathlib.Path(output) / "first_peak.png")
+
+
+def plot_stability(output, readings):
+    """stability.png: N k_s' of each run against N, stable or not."""
+    figure, axes = new_axes("steps between updates  $N$", r"$N k_s'$  (lattice units)")
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    for colour, number in zip(COLOURS, sorted({r.boussinesq_shear for r in readings})):
+        for broken, marker in ((False, "s"), (True, "x")):
+            chosen = [r for r in readings if r.boussinesq_shear == number and r.broke_down == broken]
+            if chosen:
+                label = f"$Bq_s$ = {number:g}, {'breaks down' if broken else 'stable'}"
+                axes.plot([r.interval for r in chosen], [r.interval_times_spring for r in chosen], marker, color=colour, label=label)
+    axes.legend(frameon=False)
+    return save(figure, pathlib.Path(output) / "stability.png")
+
+
+def plot_first_peak(output, case):
+    """Both pictures; their files."""
+    readings = first_peak.read_runs(output)
+    return [plot_peaks(output, case, readings), plot_stability(output, readings)] if readings else []

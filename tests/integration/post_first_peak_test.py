@@ -1,0 +1,102 @@
+"""Tests of the first peak: its reading, the power-law fit, runs that broke down."""
+
+import contextlib
+import io
+import math
+import unittest
+
+import numpy
+from post_fixture import InFolder, write_echo, write_observables, write_run
+
+from tanktread_post import first_peak, plot_first_peak, run_folder
+
+BROKEN = """time   0.100 of 1.000  D 0.0100  inclination  44.00 deg  50.0 MLUPS  0 s left
+tanktread: error: step 375: membrane element 7 has collapsed
+last good state: out/checkpoints/step_0000000000
+"""
+FIT = "# made for a test\nbq_s,A,b,c\n10,0.03,1.0,0.35\n"
+COMPARE = """title = "made for a test"
+[first_peak]
+fit = "fit.csv"
+stability = "stability.csv"
+band = 0.01
+"""
+
+
+def write_peak(folder, stiffness, peak, number=10.0, interval=1):
+    """A finished run whose D rises to a peak, falls, and rises to a higher one later."""
+    viscous = {"scheme": "fd", "boussinesq_shear": number, "spring_stiffness": stiffness, "interval": interval}
+    write_echo(folder, viscous=viscous, shear_time=3.0)
+    echo = (folder / "echo.toml").read_text()
+    (folder / "echo.toml").write_text(echo.replace("reynolds_number = 0.1", "wall_speed = 8e-3\nrelaxation_time = 1.0"))
+    times = numpy.linspace(0, 3, 301)
+    values = peak - (times - 1.003) ** 2 / 10 + numpy.where(times > 1.5, (times - 1.5) ** 2, 0)
+    write_observables(folder, [{"shear_time": repr(float(t)), "deformation": repr(float(d))} for t, d in zip(times, values)])
+
+
+class FirstPeak(InFolder):
+    def test_the_top_of_a_parabola_is_found_between_its_points(self):
+        x = numpy.linspace(0, 2, 21)
+        # The parabola through three points of a parabola is it itself: rounding is all that is left.
+        self.assertAlmostEqual(first_peak.first_peak(0.4 - (x - 0.93) ** 2), 0.4, delta=1e-14)
+        self.assertTrue(math.isnan(first_peak.first_peak(x)))
+
+    def test_the_fit_finds_its_own_law(self):
+        stiffness = [1, 3, 10, 30, 100, 1000]
+        a, b, c = first_peak.fit(stiffness, [0.0588 * k**-0.728 + 0.215 for k in stiffness])
+        # b comes from a grid of 0.01 refined twice by 90: within 1e-6; A and c follow with factors of order 1.
+        for value, exact in ((a, 0.0588), (b, 0.728), (c, 0.215)):
+            self.assertAlmostEqual(value, exact, delta=5e-6)
+        self.assertTrue(all(math.isnan(v) for v in first_peak.fit([1, 2, 3], [1, 2, 3])))
+
+    def test_a_run_that_broke_down_is_known_by_its_log(self):
+        log = self.folder / "run.log"
+        self.assertIsNone(run_folder.breakdown(log))
+        log.write_text(BROKEN)
+        self.assertEqual(run_folder.breakdown(log), "step 375: membrane element 7 has collapsed")
+        log.write_text(BROKEN + "ended at step 9 with 50.0 MLUPS; results are in out\n")
+        self.assertIsNone(run_folder.breakdown(log), "it was run again and ended well")
+        log.write_text("tanktread: error: bad input\n")
+        self.assertIsNone(run_folder.breakdown(log), "bad input is no breakdown")
+
+    def written(self, limit):
+        for stiffness in (1.0, 3.0, 10.0, 100.0):
+            write_peak(self.folder / f"k{stiffness:g}", stiffness, 0.03 / stiffness + limit)
+        write_peak(self.folder / "broken", 900.0, 0.4, interval=25)
+        (self.folder / "broken.log").write_text(BROKEN)
+        write_run(self.folder / "begun", end=1.0, viscous={"scheme": "fd", "boussinesq_shear": 10.0, "spring_stiffness": 5.0, "interval": 1})
+        case = self.folder / "case"
+        case.mkdir(exist_ok=True)
+        (case / "compare.toml").write_text(COMPARE)
+        (case / "fit.csv").write_text(FIT)
+        (case / "stability.csv").write_text("bq_s,N,kappa,outcome\n10,25,250,stable\n")
+        return case
+
+    def compared(self, limit):
+        case, output = self.written(limit), io.StringIO()
+        with contextlib.redirect_stdout(output):
+            code = first_peak.compare(self.folder, case)
+        return code, output.getvalue()
+
+    def test_the_limit_is_judged(self):
+        code, text = self.compared(0.3501)
+        self.assertEqual(code, 0, text)
+        self.assertIn("breaks down", text)
+        self.assertNotIn("begun", text)
+        self.assertEqual(self.compared(0.36)[0], 1)
+
+    def test_the_spring_in_lattice_units(self):
+        self.written(0.35)
+        broken = next(r for r in first_peak.read_runs(self.folder) if r.broke_down)
+        # The fixture: radius 8, box 72, nu = 1/6: mu_s = 10 * 8/6, k' = 900 * 8e-3/72 * mu_s = 4/3, N = 25.
+        self.assertAlmostEqual(broken.interval_times_spring, 25 * 4 / 3, delta=1e-13)
+
+    def test_pictures(self):
+        files = plot_first_peak.plot_first_peak(self.folder, self.written(0.35))
+        self.assertEqual([file.name for file in files], ["first_peak.png", "stability.png"])
+        for file in files:
+            self.assertGreater(file.stat().st_size, 5000)
+
+
+if __name__ == "__main__":
+    unittest.main()
