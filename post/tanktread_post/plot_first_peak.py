@@ -27,7 +27,8 @@ def plot_peaks(output, case, readings):
         if number in published:
             a, b, c = (float(published[number][name]) for name in "Abc")
             axes.plot(x, a * x**-b + c, "--", color="black", linewidth=1, label=f"thesis, $Bq_s$ = {number:g}")
-    axes.legend(frameon=False)
+    if axes.has_data():
+        axes.legend(frameon=False)
     return save(figure, pathlib.Path(output) / "first_peak.png")
 
 
