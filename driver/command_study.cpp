@@ -62,7 +62,8 @@ std::vector<Study> varied(const std::vector<Study>& studies, const std::vector<V
 
 struct MaxwellArguments {
   std::vector<std::string> schemes = {"fd", "int1", "int2"};
-  std::vector<double> viscosities = {100}, stiffnesses = {1, 10, 100}, periods = {600}, time_steps = {1};
+  std::vector<double> viscosities = {MaxwellStudy().viscosity}, stiffnesses = {1, 10, 100},
+                      periods = {MaxwellStudy().period}, time_steps = {MaxwellStudy().time_step};
   std::string file;
 };
 
@@ -129,9 +130,9 @@ void add_noise_command(CLI::App& study, int& exit_code) {
 struct TwistArguments {
   TwistStudy study;
   std::vector<TwistApproach> approaches = {TwistApproach::surface, TwistApproach::flow};
-  std::vector<std::string> kernels = {"cosine4"};
-  std::vector<int> levels = {4};
-  std::vector<double> radii = {20}, angles = {0};
+  std::vector<std::string> kernels = {study.kernel};
+  std::vector<int> levels = {study.level};
+  std::vector<double> radii = {study.radius}, angles = {study.angle_deg};
   std::string file;
 };
 

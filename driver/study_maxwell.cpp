@@ -4,8 +4,8 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
+#include "driver/study_check.hpp"
 #include "membrane/viscous_law.hpp"
 
 namespace tanktread::driver {
@@ -28,21 +28,15 @@ membrane::ViscousLaw law_of(const MaxwellStudy& study) {
   return membrane::ViscousLaw(parameters);
 }
 
-void require_positive(const std::string& name, double value) {
-  if (std::isfinite(value) && value > 0) return;
-  throw std::invalid_argument(fmt::format("{} is {}, must be positive", name, value));
-}
-
 void require_valid(const MaxwellStudy& study) {
   require_positive("viscosity", study.viscosity);
   require_positive("stiffness", study.stiffness);
   require_positive("strain amplitude", study.strain_amplitude);
   require_positive("period", study.period);
   require_positive("time step", study.time_step);
-  if (study.time_step > 0.5 * study.period) {
-    throw std::invalid_argument(fmt::format(
-        "time step {} is more than half of the period {}; make it smaller", study.time_step, study.period));
-  }
+  require(study.time_step <= 0.5 * study.period,
+          fmt::format("time step {} is more than half of the period {}; make it smaller", study.time_step,
+                      study.period));
 }
 
 /// Steps that end within the first period; a rounding above counts as within.

@@ -3,26 +3,19 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include "coupler/coupler.hpp"
+#include "driver/study_check.hpp"
 
 namespace tanktread::driver {
 namespace {
 
-void require(bool fine, const std::string& message) {
-  if (!fine) throw std::invalid_argument(message);
-}
-
 void require_valid(const NoiseStudy& study) {
   require(study.nodes >= 1, fmt::format("nodes is {}, must be 1 or more", study.nodes));
-  require(std::isfinite(study.time_step) && study.time_step > 0,
-          fmt::format("time step is {}, must be positive", study.time_step));
+  require_positive("time step", study.time_step);
   require(study.n_positions >= 2, fmt::format("positions is {}, must be 2 or more", study.n_positions));
-  require(std::isfinite(study.stream_function) && study.stream_function > 0,
-          fmt::format("stream function is {}, must be positive", study.stream_function));
-  require(std::isfinite(study.start_height) && study.start_height > 0,
-          fmt::format("start height is {}, must be positive", study.start_height));
+  require_positive("stream function", study.stream_function);
+  require_positive("start height", study.start_height);
   require(std::isfinite(study.velocity_error),
           fmt::format("velocity error is {}, must be finite", study.velocity_error));
 }

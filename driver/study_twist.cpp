@@ -7,9 +7,9 @@
 #include <cmath>
 #include <memory>
 #include <span>
-#include <stdexcept>
 
 #include "coupler/coupler.hpp"
+#include "driver/study_check.hpp"
 #include "driver/twisting_sphere.hpp"
 #include "membrane/element.hpp"
 #include "membrane/interfacial_tension.hpp"
@@ -19,14 +19,6 @@ namespace tanktread::driver {
 namespace {
 
 using Components = std::array<double, 3>;  ///< theta-phi, theta-theta, phi-phi
-
-void require(bool fine, const std::string& message) {
-  if (!fine) throw std::invalid_argument(message);
-}
-
-void require_positive(const std::string& name, double value) {
-  require(std::isfinite(value) && value > 0, fmt::format("{} is {}, must be positive", name, value));
-}
 
 void require_valid(const TwistStudy& study) {
   require_positive("amplitude", study.amplitude);

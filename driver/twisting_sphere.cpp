@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "driver/study_maxwell.hpp"
+
 namespace tanktread::driver {
 
 double TwistingSphere::frequency() const {
@@ -53,11 +55,13 @@ double TwistingSphere::shear_rate(double polar_angle, double time) const {
 
 double TwistingSphere::shear_stress(double polar_angle, double time, double viscosity,
                                     double relaxation_time) const {
-  const double phase = frequency() * time, product = frequency() * relaxation_time;
-  const double response =
-      (std::sin(phase) - product * std::cos(phase) + product * std::exp(-time / relaxation_time)) /
-      (product * product + 1.0);
-  return viscosity * nominal_strain_rate() * std::sin(2.0 * polar_angle) * response;
+  // Eq. 3.38 is the Maxwell element of Eq. 3.32 under the strain whose rate is shear_rate().
+  const MaxwellStudy element{
+      .viscosity = viscosity,
+      .stiffness = viscosity / relaxation_time,
+      .strain_amplitude = nominal_strain_rate() * std::sin(2.0 * polar_angle) / frequency(),
+      .period = period};
+  return exact_stress(element, time);
 }
 
 }  // namespace tanktread::driver

@@ -287,8 +287,8 @@ void Membrane::restore_history(const std::vector<double>& history) {
     throw std::invalid_argument("membrane: a history of " + std::to_string(history.size()) + " numbers, " +
                                 std::to_string(n_needed) + " are needed");
   }
-  std::copy_n(history.begin(), n_normals, self.check.normals().data());
   if (self.viscous) self.viscous->restore(std::span(history).subspan(n_normals));
+  std::copy_n(history.begin(), n_normals, self.check.normals().data());
 }
 
 }  // namespace tanktread::membrane

@@ -76,7 +76,7 @@ class Membrane {
   /// element normals at the last add_forces(), then, with a viscous law, what ViscousHistory::append_to()
   /// lists.
   std::vector<double> history() const;
-  /// @throws std::invalid_argument if the size is wrong
+  /// @throws std::invalid_argument if the size is wrong, or what a viscous law counts is out of range
   void restore_history(const std::vector<double>& history);
 
  private:

@@ -1,6 +1,9 @@
 #include "membrane/viscous_history.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace tanktread::membrane {
@@ -50,7 +53,13 @@ void ViscousHistory::append_to(std::vector<double>& values) const {
 }
 
 void ViscousHistory::restore(std::span<const double> values) {
-  steps_since_update_ = static_cast<int>(values[0]);
+  const double steps = values[0];
+  if (!(steps >= 0 && steps <= law_->interval() && steps == std::floor(steps))) {
+    throw std::invalid_argument("membrane: a history with " + std::to_string(steps) +
+                                " steps since the last update of the viscous stress, must be 0 to " +
+                                std::to_string(law_->interval()));
+  }
+  steps_since_update_ = static_cast<int>(steps);
   auto next = values.begin() + 1;
   for (auto& element : elements_) {
     for (auto* part : {&element.stress, &element.last_strain, &element.strain_sum}) {

@@ -38,6 +38,7 @@ class ViscousHistory {
   void append_to(std::vector<double>& values) const;
 
   /// @param values n_values() numbers as append_to() gave them
+  /// @throws std::invalid_argument if the number of steps since the last update is none of 0 to N
   void restore(std::span<const double> values);
 
  private:

@@ -70,6 +70,16 @@ class Run : public ::testing::Test {
     return false;
   }
 
+  void expect_killed_run_goes_on(const std::vector<std::string>& more) const {
+    ASSERT_EQ(run_program(run_to("whole", more)).exit_code, 0);
+    const auto killed = run_and_signal(run_to("killed", more), SIGKILL,
+                                       [&] { return has_checkpoint_after("killed", "0000000240"); });
+    ASSERT_EQ(killed.exit_code, 128 + SIGKILL) << "the run ended before it was killed";
+    const auto resumed = run_program({"run", "--resume", (directory_ / "killed").string()});
+    ASSERT_EQ(resumed.exit_code, 0) << resumed.output;
+    expect_same_results("whole", "killed");
+  }
+
   TemporaryDirectory directory_;
   std::filesystem::path case_file_ = directory_ / "small.toml";
 };
@@ -106,28 +116,15 @@ TEST_F(Run, IsReproducedByItsEchoAndByAnyNumberOfThreads) {
 }
 
 TEST_F(Run, KilledAndResumedEqualsUninterrupted) {
-  ASSERT_EQ(run_program(run_to("whole")).exit_code, 0);
-  const auto killed =
-      run_and_signal(run_to("killed"), SIGKILL, [&] { return has_checkpoint_after("killed", "0000000240"); });
-  ASSERT_EQ(killed.exit_code, 128 + SIGKILL) << "the run ended before it was killed";
-  const auto resumed = run_program({"run", "--resume", (directory_ / "killed").string()});
-  ASSERT_EQ(resumed.exit_code, 0) << resumed.output;
-  expect_same_results("whole", "killed");
+  expect_killed_run_goes_on({});
 }
 
 TEST_F(Run, AViscousMembraneGoesOnBitForBitFromWithinAnInterval) {
   // 60 steps between checkpoints, 7 between updates: a checkpoint falls within an interval.
-  const std::vector<std::string> viscous = {
-      "--set",
-      "membrane.viscous={scheme = \"fd\", boussinesq_shear = 10, boussinesq_dilatational = 2, "
-      "spring_stiffness = 50, interval = 7, strain_sampling = \"moving-average\"}"};
-  ASSERT_EQ(run_program(run_to("whole", viscous)).exit_code, 0);
-  const auto killed = run_and_signal(run_to("killed", viscous), SIGKILL,
-                                     [&] { return has_checkpoint_after("killed", "0000000240"); });
-  ASSERT_EQ(killed.exit_code, 128 + SIGKILL) << "the run ended before it was killed";
-  const auto resumed = run_program({"run", "--resume", (directory_ / "killed").string()});
-  ASSERT_EQ(resumed.exit_code, 0) << resumed.output;
-  expect_same_results("whole", "killed");
+  expect_killed_run_goes_on(
+      {"--set",
+       "membrane.viscous={scheme = \"fd\", boussinesq_shear = 10, boussinesq_dilatational = 2, "
+       "spring_stiffness = 50, interval = 7, strain_sampling = \"moving-average\"}"});
 }
 
 TEST_F(Run, SignalsEndItWithACheckpoint) {

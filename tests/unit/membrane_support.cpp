@@ -5,6 +5,10 @@
 
 namespace tanktread::membrane::test {
 
+std::shared_ptr<const ElasticLaw> skalak() {
+  return make_elastic_law("skalak", {.shear_modulus = 1, .area_ratio = 1});
+}
+
 Cube cube(double edge) {
   Cube result;
   result.mesh.points.resize(3, 8);

@@ -2,12 +2,21 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstring>
 #include <limits>
 #include <memory>
 
 #include "membrane/membrane.hpp"
 
 namespace tanktread::membrane::test {
+
+/// Skalak's law with G_s = 1, C = 1.
+std::shared_ptr<const ElasticLaw> skalak();
+
+template <typename A, typename B>
+bool same_bits(const A& a, const B& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 

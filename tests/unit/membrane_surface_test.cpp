@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <cstring>
 #include <numbers>
 
 #include "membrane/element.hpp"
@@ -14,10 +13,6 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-
-std::shared_ptr<const ElasticLaw> skalak() {
-  return make_elastic_law("skalak", {.shear_modulus = 1, .area_ratio = 1});
-}
 
 template <typename Action>
 std::string inversion_message(Action action) {
@@ -37,11 +32,6 @@ std::string refusal_message(Action action) {
     return error.what();
   }
   return "nothing was thrown";
-}
-
-template <typename A, typename B>
-bool same_bits(const A& a, const B& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
 TEST(Membrane, StartsAtItsReference) {

@@ -3,17 +3,12 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <cstring>
 
 #include "membrane/element.hpp"
 #include "unit/membrane_support.hpp"
 
 namespace tanktread::membrane::test {
 namespace {
-
-std::shared_ptr<const ElasticLaw> skalak() {
-  return make_elastic_law("skalak", {.shear_modulus = 1, .area_ratio = 1});
-}
 
 /// Springs that relax within a few steps, so that the history counts.
 ViscousParameters soft() {
@@ -39,11 +34,6 @@ Eigen::Matrix3Xd viscous_forces(Membrane& membrane, const Eigen::Matrix3Xd& posi
   Eigen::Matrix3Xd elastic = Eigen::Matrix3Xd::Zero(3, positions.cols());
   membrane.add_elastic_forces(elastic);
   return force - elastic;
-}
-
-template <typename A, typename B>
-bool same_bits(const A& a, const B& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
 TEST(ViscousMembrane, AtRestHasTheElasticForceAlone) {
@@ -221,6 +211,13 @@ TEST(ViscousMembrane, AHistoryOfAnotherLawIsRefused) {
   auto viscous = viscous_membrane(sphere, soft());
   EXPECT_THROW(viscous.restore_history(elastic.history()), std::invalid_argument);
   EXPECT_THROW(elastic.restore_history(viscous.history()), std::invalid_argument);
+  // The steps since the last update, which follow the normals, are 0 to N.
+  const auto n_normals = static_cast<std::size_t>(3 * viscous.n_triangles());
+  for (const double steps : {-1.0, 2.0, 0.5, std::nan("")}) {
+    auto history = viscous.history();
+    history[n_normals] = steps;
+    EXPECT_THROW(viscous.restore_history(history), std::invalid_argument) << steps;
+  }
 }
 
 TEST(ViscousMembrane, NoResultDependsOnTheNumberOfThreads) {
