@@ -5,25 +5,14 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "driver/stages/fluid_files.hpp"
+#include "driver/stages/packet_files.hpp"
+#include "driver/stages/phases.hpp"
 #include "driver/surface_mesh.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
 namespace {
-
-using exchange::Array;
-constexpr double schema_version = 1;
-
-exchange::GridPacket to_packet(fluid::State state, const fluid::GridShape& shape) {
-  exchange::GridPacket packet;
-  packet.nodes = {shape.nx, shape.ny, shape.nz};
-  for (auto& array : state.arrays) {
-    packet.point_data.push_back({array.name, array.components, std::move(array.values)});
-  }
-  packet.field_data = {{"step", 1, {static_cast<double>(state.step)}},
-                       {"schema_version", 1, {schema_version}}};
-  return packet;
-}
 
 exchange::SurfacePacket to_packet(const membrane::Membrane& membrane, std::int64_t step) {
   auto packet = surface_packet(membrane::TriangleMesh{membrane.positions(), membrane.reference().triangles});
@@ -34,36 +23,9 @@ exchange::SurfacePacket to_packet(const membrane::Membrane& membrane, std::int64
   return packet;
 }
 
-double field(const std::vector<Array>& field_data, const std::string& name,
-             const std::filesystem::path& file) {
-  const auto& values = exchange::find_array(field_data, name, file.string()).values;
-  if (values.size() != 1)
-    throw exchange::FileError(fmt::format("{}: '{}' must be one number", file.string(), name));
-  return values[0];
-}
-
-void check_version(const std::vector<Array>& field_data, const std::filesystem::path& file) {
-  const double version = field(field_data, "schema_version", file);
-  if (version != schema_version) {
-    throw exchange::FileError(
-        fmt::format("{}: schema version {} cannot be read, only {}; use the program that wrote it",
-                    file.string(), version, schema_version));
-  }
-}
-
-fluid::State read_fluid(const std::filesystem::path& file) {
-  auto packet = exchange::read_grid(file);
-  check_version(packet.field_data, file);
-  fluid::State state;
-  state.step = static_cast<std::int64_t>(field(packet.field_data, "step", file));
-  for (auto& array : packet.point_data)
-    state.arrays.push_back({array.name, array.components, std::move(array.values)});
-  return state;
-}
-
 void read_capsule(const std::filesystem::path& file, Checkpoint& checkpoint) {
   const auto packet = exchange::read_surface(file);
-  check_version(packet.field_data, file);
+  check_schema_version(packet.field_data, file.string());
   auto reference = to_mesh(packet);
   checkpoint.positions.push_back(reference.points);
   reference.points =
@@ -85,7 +47,7 @@ void write_checkpoint(const System& system, const std::filesystem::path& directo
     return;  // the same state: a run is the same however often it is resumed
   const auto temporary = place / fmt::format(".step_{:010}.tmp", system.step);
   std::filesystem::create_directories(temporary);
-  exchange::write_grid(temporary / "fluid.vti", to_packet(system.fluid->state(), system.fluid->shape()));
+  exchange::write_grid(temporary / "fluid.vti", state_file(system.fluid->state(), system.fluid->shape()));
   for (std::size_t k = 0; k < system.membranes.size(); ++k) {
     exchange::write_surface(capsule_file(temporary, k), to_packet(system.membranes[k], system.step));
   }
@@ -112,7 +74,8 @@ namespace {
 Checkpoint read_checkpoint(const std::filesystem::path& folder) {
   Checkpoint checkpoint;
   checkpoint.folder = folder;
-  checkpoint.fluid = read_fluid(folder / "fluid.vti");
+  const auto fluid = folder / "fluid.vti";
+  checkpoint.fluid = state_of(exchange::read_grid(fluid), fluid.string());
   checkpoint.step = checkpoint.fluid.step;
   for (std::size_t k = 0; std::filesystem::exists(capsule_file(folder, k)); ++k) {
     read_capsule(capsule_file(folder, k), checkpoint);
@@ -155,7 +118,7 @@ void restore(System& system, const Checkpoint& checkpoint) {
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("{}: does not fit the case: {}", checkpoint.folder.string(), error.what()));
   }
-  build_stencils(system);
+  build_stencils(*system.coupler, checkpoint.positions);
 }
 
 }  // namespace tanktread::driver

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <set>
 
+#include "driver/stages/fluid_files.hpp"
+#include "driver/stages/membrane_files.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
@@ -93,13 +95,15 @@ std::vector<Observation> Output::write(const System& system, bool last) {
 
 void Output::write_membrane(const System& system, double shear_time) {
   const auto file = numbered("membrane", system.step, "vtu");
-  exchange::write_surface(directory_ / file, membrane_packet(system, shear_time));
+  exchange::write_surface(directory_ / file, membrane_file(system.membranes, system.node_velocity,
+                                                           system.node_force, system.step, shear_time));
   add_to_series(directory_ / "membrane.pvd", shear_time, file);
 }
 
 void Output::write_fluid(const System& system, double shear_time) {
   const auto file = numbered("fluid", system.step, "vti");
-  exchange::write_grid(directory_ / file, fluid_packet(system, case_, shear_time));
+  exchange::write_grid(directory_ / file,
+                       flow_file(*system.fluid, case_.output.fluid_box, system.step, shear_time));
   add_to_series(directory_ / "fluid.pvd", shear_time, file);
 }
 

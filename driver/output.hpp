@@ -6,16 +6,8 @@
 #include "driver/observables.hpp"
 #include "driver/schedule.hpp"
 #include "driver/system.hpp"
-#include "exchange/packet.hpp"
 
 namespace tanktread::driver {
-
-/// All capsules as one surface, as a person looks at it. Point data velocity, elastic_force, total_force;
-/// cell data principal_stretches, stress, viscous_stress, area_ratio, capsule; field data step, shear_time.
-exchange::SurfacePacket membrane_packet(const System& system, double shear_time);
-
-/// Density, velocity and force of the fluid nodes of `output.fluid_box`; field data step, shear_time.
-exchange::GridPacket fluid_packet(const System& system, const Case& the_case, double shear_time);
 
 /// Writes what is due, when it is due. Files of a series are named by their step.
 class Output {

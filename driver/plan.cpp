@@ -5,6 +5,7 @@
 
 #include <chrono>
 
+#include "driver/components.hpp"
 #include "driver/schedule.hpp"
 #include "driver/step.hpp"
 #include "driver/warnings.hpp"
@@ -87,9 +88,7 @@ Plan make_plan(const Case& the_case, std::vector<membrane::TriangleMesh> meshes)
   Plan plan;
   plan.the_case = the_case;
   plan.parameters = parameters(the_case);
-  if (meshes.empty()) {
-    for (const auto& capsule : the_case.capsules) meshes.push_back(reference_mesh(capsule));
-  }
+  if (meshes.empty()) meshes = reference_meshes(the_case);
   plan.meshes = std::move(meshes);
   std::vector<double> mean_edges;
   for (const auto& mesh : plan.meshes) mean_edges.push_back(membrane::inspect(mesh).edge_mean);

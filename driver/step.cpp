@@ -4,106 +4,73 @@
 
 #include <chrono>
 
+#include "driver/stages/phases.hpp"
+
 namespace tanktread::driver {
 namespace {
 
-/// Adds the time from its making to its end to a component's account.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds), start_(std::chrono::steady_clock::now()) {}
-  ~Stopwatch() {
-    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  double& seconds_;
-  std::chrono::steady_clock::time_point start_;
-};
-
-/// 1. Fluid velocity u(t) on the grid nodes that the stencils at x(t) touch.
-std::vector<double> grid_velocity(System& system) {
-  const Stopwatch watch(system.seconds.fluid);
-  const auto nodes = system.coupler->grid_nodes();
-  std::vector<double> velocity(3 * nodes.size());
-  system.fluid->velocity(nodes, velocity);
-  return velocity;
+/// Calls a phase and adds the time that it takes to its component's account.
+template <class Phase>
+auto timed(double& seconds, Phase phase) {
+  const auto start = std::chrono::steady_clock::now();
+  auto packet = phase();
+  seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return packet;
 }
 
-/// 2. Node velocity u_m(t), interpolated with the stencils at x(t).
-void interpolate(System& system, const std::vector<double>& velocity) {
-  const Stopwatch watch(system.seconds.coupler);
-  std::vector<std::span<double>> targets;
-  for (auto& target : system.node_velocity) targets.emplace_back(target.data(), target.size());
-  system.coupler->interpolate(velocity, targets);
-}
+void advance_phases(System& system, Passage& passage) {
+  auto& fluid = *system.fluid;
+  auto& coupler = *system.coupler;
+  auto& seconds = system.seconds;
 
-/// 3. Positions x(t+1) = x(t) + u_m(t) (Eq. 2.19).
-void move_nodes(System& system) {
-  const Stopwatch watch(system.seconds.membrane);
-  for (std::size_t k = 0; k < system.membranes.size(); ++k) {
-    auto& membrane = system.membranes[k];
-    const auto& velocity = system.node_velocity[k];
-    for (Eigen::Index node = 0; node < velocity.cols(); ++node) {
-      const double move = velocity.col(node).norm();
-      if (move <= longest_move) continue;  // so that not a number does not pass
-      const Eigen::Vector3d at = membrane.positions().col(node);
-      throw RunError(
-          fmt::format("step {}: node {} of capsule {} at ({:.6g}, {:.6g}, {:.6g}) would move by {:.6g} grid "
-                      "steps; at most {} are allowed",
-                      system.step + 1, node, k, at[0], at[1], at[2], move, longest_move));
-    }
-    membrane.set_positions(membrane.positions() + velocity);
-  }
-}
+  // 1. u(t) on the grid nodes that the stencils at x(t) touch.
+  auto velocity = timed(seconds.fluid, [&] { return grid_velocity(fluid, coupler.grid_nodes()); });
+  passage.pass(system, Packet::grid_velocity, velocity);
 
-/// 4. Strain, stress and total nodal forces at x(t+1).
-void nodal_forces(System& system) {
-  const Stopwatch watch(system.seconds.membrane);
-  for (std::size_t k = 0; k < system.membranes.size(); ++k) {
-    system.node_force[k].setZero();
-    system.membranes[k].add_forces(system.node_force[k]);
-  }
-}
+  // 2. u_m(t), with the stencils at x(t).
+  const auto before = positions_of(system.membranes);
+  system.node_velocity = timed(seconds.coupler, [&] { return interpolate(coupler, velocity, before); });
+  passage.pass(system, Packet::node_velocity, system.node_velocity);
 
-/// 5. Stencils at x(t+1), and the grid force F(t+1) spread with them.
-std::vector<double> spread(System& system) {
-  const Stopwatch watch(system.seconds.coupler);
-  build_stencils(system);
-  std::vector<std::span<const double>> sources;
-  for (const auto& force : system.node_force) sources.emplace_back(force.data(), force.size());
-  std::vector<double> force(3 * system.coupler->grid_nodes().size());
-  system.coupler->spread(sources, force);
-  return force;
-}
+  // 3. x(t+1).
+  auto positions = timed(seconds.membrane, [&] { return move_nodes(before, system.node_velocity); });
+  passage.pass(system, Packet::positions, positions);
 
-/// 6. The fluid streams to t+1 and collides under F(t+1).
-void advance_fluid(System& system, const std::vector<double>& force) {
-  const Stopwatch watch(system.seconds.fluid);
-  system.fluid->clear_force();
-  system.fluid->add_force(system.coupler->grid_nodes(), force);
-  system.highest_speed = system.fluid->step();
+  // 4. Strain and stress at x(t+1), F_m(t+1).
+  system.node_force = timed(seconds.membrane, [&] { return nodal_forces(system.membranes, positions); });
+  passage.pass(system, Packet::node_force, system.node_force);
+
+  // 5. Stencils at x(t+1), F(t+1).
+  auto force = timed(seconds.coupler, [&] { return spread(coupler, positions, system.node_force); });
+  passage.pass(system, Packet::grid_force, force);
+
+  // 6. The fluid goes to t+1 under F(t+1).
+  system.highest_speed = timed(seconds.fluid, [&] { return advance_fluid(fluid, force); });
+  ++system.step;
 }
 
 }  // namespace
 
-void advance(System& system) {
+void advance(System& system, Passage& passage) {
+  const auto stop = [&system](const std::exception& error) {
+    throw RunError(fmt::format("step {}: {}", system.step + 1, error.what()));
+  };
   try {
-    const auto velocity = grid_velocity(system);
-    interpolate(system, velocity);
-    move_nodes(system);
-    nodal_forces(system);
-    const auto force = spread(system);
-    advance_fluid(system, force);
-    ++system.step;
+    advance_phases(system, passage);
   } catch (const fluid::Breakdown& error) {
-    throw RunError(error.what());
+    throw RunError(error.what());  // which says the step
+  } catch (const LongMove& error) {
+    stop(error);
   } catch (const membrane::InvertedElement& error) {
-    throw RunError(fmt::format("step {}: {}", system.step + 1, error.what()));
+    stop(error);
   } catch (const coupler::StencilError& error) {
-    throw RunError(fmt::format("step {}: {}", system.step + 1, error.what()));
+    stop(error);
   }
+}
+
+void advance(System& system) {
+  Passage in_memory;
+  advance(system, in_memory);
 }
 
 }  // namespace tanktread::driver

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "driver/stages/passage.hpp"
 #include "driver/system.hpp"
 
 namespace tanktread::driver {
@@ -13,14 +14,13 @@ class RunError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A membrane node may not move further than this in one step, grid steps: its stencil would leave its force
-/// behind.
-inline constexpr double longest_move = 0.5;
-
 /// Advances the system from t to t+1.
 /// @throws RunError on NaN, excess speed, a node that moves over half a grid step, an inverted element, a
 /// stencil that
 ///         reaches beyond a wall. The system is then of no use: go back to a checkpoint.
 void advance(System& system);
+
+/// The same; each packet goes from one phase to the next by way of `passage`.
+void advance(System& system, Passage& passage);
 
 }  // namespace tanktread::driver

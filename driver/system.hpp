@@ -1,14 +1,13 @@
 // The three components of a case, put together, and the arrays that pass between them.
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "coupler/coupler.hpp"
 #include "driver/case.hpp"
+#include "driver/stages/packets.hpp"
 #include "driver/units.hpp"
 #include "fluid/fluid.hpp"
 #include "membrane/membrane.hpp"
@@ -29,23 +28,15 @@ struct System {
   std::vector<membrane::Membrane> membranes;
 
   std::int64_t step = 0;
-  std::vector<Eigen::Matrix3Xd>
-      node_velocity;                         ///< a matrix a capsule: u_m(t-1), which moved the nodes to x(t)
-  std::vector<Eigen::Matrix3Xd> node_force;  ///< a matrix a capsule: the total force at x(t)
-  double highest_speed = 0;                  ///< of the fluid, in the last step
+  NodeVectors node_velocity;  ///< u_m(t-1), which moved the nodes to x(t)
+  NodeVectors node_force;     ///< the total force at x(t)
+  double highest_speed = 0;   ///< of the fluid, in the last step
   ComponentSeconds seconds;
 };
-
-/// The stress-free mesh of a capsule at its place in the box: a sphere by its level, or a file scaled to the
-/// radius by its volume. @throws InputError if the file is not a surface that can be a membrane
-membrane::TriangleMesh reference_mesh(const CapsuleCase& capsule);
 
 /// Builds the components of a case at its start. @param meshes the reference mesh of each capsule
 /// @throws InputError if a mesh lies too near a wall for the kernel
 System make_system(const Case& the_case, const Parameters& parameters,
                    const std::vector<membrane::TriangleMesh>& meshes);
-
-/// Builds the coupler's stencils at the present positions.
-void build_stencils(System& system);
 
 }  // namespace tanktread::driver

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "driver/checkpoint.hpp"
+#include "driver/components.hpp"
 #include "driver/observables.hpp"
 #include "driver/step.hpp"
 #include "tests/integration/program.hpp"
@@ -33,9 +34,7 @@ capillary_number = 0.3
 
 System make(const Case& c) {
   const auto p = parameters(c);
-  std::vector<membrane::TriangleMesh> meshes;
-  for (const auto& capsule : c.capsules) meshes.push_back(reference_mesh(capsule));
-  return make_system(c, p, meshes);
+  return make_system(c, p, reference_meshes(c));
 }
 
 Case parse(const std::vector<std::string>& assignments = {}) {
@@ -142,7 +141,7 @@ TEST(Step, StopsAtAWall) {
 TEST(System, AMeshTooNearAWallIsBadInput) {
   // A mesh file may reach further than the sphere of its radius, by which the case was checked.
   const auto c = parse();
-  std::vector<membrane::TriangleMesh> meshes = {reference_mesh(c.capsules[0]), reference_mesh(c.capsules[1])};
+  auto meshes = reference_meshes(c);
   meshes[1].points.row(2).array() -= 7.5;
   EXPECT_THROW(make_system(c, parameters(c), meshes), InputError);
 }

@@ -1,0 +1,53 @@
+#include <cmath>
+#include <numbers>
+
+#include "driver/components.hpp"
+#include "driver/laws.hpp"
+#include "driver/surface_mesh.hpp"
+#include "exchange/vtk_files.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+membrane::TriangleMesh mesh_from_file(const CapsuleCase& capsule) {
+  const auto file = std::filesystem::path(capsule.mesh.file);
+  membrane::TriangleMesh mesh;
+  try {
+    mesh = to_mesh(exchange::read_surface(file, true));
+  } catch (const exchange::FileError& error) {
+    throw InputError(error.what());
+  }
+  const auto report = inspected(mesh, file.string());
+  require_no_defects(report, file.string());
+  const double sphere_volume = 4.0 / 3.0 * std::numbers::pi * std::pow(capsule.radius, 3);
+  const double scale = std::cbrt(sphere_volume / report.volume);
+  const Eigen::Vector3d position(capsule.position[0], capsule.position[1], capsule.position[2]);
+  mesh.points = (scale * (mesh.points.colwise() - report.centre)).colwise() + position;
+  return mesh;
+}
+
+}  // namespace
+
+membrane::TriangleMesh reference_mesh(const CapsuleCase& capsule) {
+  if (!capsule.mesh.file.empty()) return mesh_from_file(capsule);
+  return membrane::icosphere(capsule.mesh.level, capsule.radius,
+                             {capsule.position[0], capsule.position[1], capsule.position[2]});
+}
+
+std::vector<membrane::TriangleMesh> reference_meshes(const Case& the_case) {
+  std::vector<membrane::TriangleMesh> meshes;
+  for (const auto& capsule : the_case.capsules) meshes.push_back(reference_mesh(capsule));
+  return meshes;
+}
+
+std::vector<membrane::Membrane> make_membranes(const Case& the_case, const Parameters& parameters,
+                                               const std::vector<membrane::TriangleMesh>& meshes) {
+  std::vector<membrane::Membrane> membranes;
+  for (std::size_t k = 0; k < meshes.size(); ++k) {
+    membranes.emplace_back(meshes[k], elastic_law(the_case.capsules[k].membrane, parameters.capsules[k]),
+                           viscous_law(parameters.capsules[k]), the_case.run.threads);
+  }
+  return membranes;
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,31 @@
+// The components of a case, each made by itself.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "coupler/coupler.hpp"
+#include "driver/case.hpp"
+#include "driver/units.hpp"
+#include "fluid/fluid.hpp"
+#include "membrane/membrane.hpp"
+
+namespace tanktread::driver {
+
+/// The flow solver of a case, at its start.
+std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const Parameters& parameters);
+
+/// The coupler of a case, without stencils.
+std::unique_ptr<coupler::Coupler> make_coupler(const Case& the_case);
+
+/// The stress-free mesh of a capsule at its place in the box: a sphere by its level, or a file scaled to the
+/// radius by its volume. @throws InputError if the file is not a surface that can be a membrane
+membrane::TriangleMesh reference_mesh(const CapsuleCase& capsule);
+/// Those of all capsules.
+std::vector<membrane::TriangleMesh> reference_meshes(const Case& the_case);
+
+/// The membranes of a case at rest. @param meshes the reference mesh of each capsule
+std::vector<membrane::Membrane> make_membranes(const Case& the_case, const Parameters& parameters,
+                                               const std::vector<membrane::TriangleMesh>& meshes);
+
+}  // namespace tanktread::driver

@@ -1,0 +1,106 @@
+#include "driver/stages/membrane_files.hpp"
+
+#include <fmt/format.h>
+
+#include "driver/stages/packet_files.hpp"
+#include "driver/stages/phases.hpp"
+#include "exchange/vtk_files.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+using exchange::Array;
+
+void append(std::vector<double>& values, const double* data, Eigen::Index size) {
+  values.insert(values.end(), data, data + size);
+}
+
+std::string history_name(std::size_t capsule) {
+  return fmt::format("history_{}", capsule);
+}
+
+NodeVectors elastic_forces(const std::vector<membrane::Membrane>& membranes) {
+  NodeVectors forces;
+  for (const auto& membrane : membranes) {
+    forces.emplace_back(Eigen::Matrix3Xd::Zero(3, membrane.n_nodes()));
+    membrane.add_elastic_forces(forces.back());
+  }
+  return forces;
+}
+
+void add_element_fields(exchange::SurfacePacket& file, const std::vector<membrane::Membrane>& membranes) {
+  Array stretches{"principal_stretches", 2, {}}, stress{"stress", 9, {}};
+  Array viscous_stress{"viscous_stress", 9, {}}, area_ratio{"area_ratio", 1, {}};
+  for (const auto& membrane : membranes) {
+    const auto fields = membrane.element_fields();
+    append(stretches.values, fields.principal_stretches.data(), fields.principal_stretches.size());
+    append(stress.values, fields.stress.data(), fields.stress.size());
+    append(viscous_stress.values, fields.viscous_stress.data(), fields.viscous_stress.size());
+    append(area_ratio.values, fields.area_ratio.data(), fields.area_ratio.size());
+  }
+  for (auto* array : {&stretches, &stress, &viscous_stress, &area_ratio})
+    file.cell_data.push_back(std::move(*array));
+}
+
+}  // namespace
+
+Surfaces surfaces_of(const std::vector<membrane::Membrane>& membranes) {
+  Surfaces surfaces;
+  surfaces.positions = positions_of(membranes);
+  for (const auto& membrane : membranes) surfaces.triangles.push_back(membrane.reference().triangles);
+  return surfaces;
+}
+
+exchange::SurfacePacket membrane_file(const std::vector<membrane::Membrane>& membranes,
+                                      const NodeVectors& velocity, const NodeVectors& force,
+                                      std::int64_t step, double shear_time) {
+  auto file = surface_file(surfaces_of(membranes), step);
+  add_vectors(file, "velocity", velocity);
+  add_vectors(file, "elastic_force", elastic_forces(membranes));
+  add_vectors(file, "total_force", force);
+  add_element_fields(file, membranes);
+  file.field_data.push_back({"shear_time", 1, {shear_time}});
+  return file;
+}
+
+void add_histories(exchange::SurfacePacket& file, const std::vector<membrane::Membrane>& membranes) {
+  for (std::size_t k = 0; k < membranes.size(); ++k) {
+    file.field_data.push_back({history_name(k), 1, membranes[k].history()});
+  }
+}
+
+void restore_histories(std::vector<membrane::Membrane>& membranes, const exchange::SurfacePacket& file,
+                       const std::string& name) {
+  check_schema_version(file.field_data, name);
+  for (std::size_t k = 0; k < membranes.size(); ++k) {
+    const auto& history = exchange::find_array(file.field_data, history_name(k), name);
+    try {
+      membranes[k].restore_history(history.values);
+    } catch (const std::invalid_argument& error) {
+      throw exchange::FileError(
+          fmt::format("{}: {} does not fit the case's membrane {}: {}", name, history.name, k, error.what()));
+    }
+  }
+}
+
+void check_surfaces(const Surfaces& surfaces, const std::vector<membrane::Membrane>& membranes,
+                    const std::string& name) {
+  if (surfaces.positions.size() != membranes.size()) {
+    throw exchange::FileError(
+        fmt::format("{}: {} capsules, the case has {}", name, surfaces.positions.size(), membranes.size()));
+  }
+  for (std::size_t k = 0; k < membranes.size(); ++k) {
+    const auto& reference = membranes[k].reference();
+    if (surfaces.positions[k].cols() == reference.points.cols() &&
+        surfaces.triangles[k] == reference.triangles)
+      continue;
+    throw exchange::FileError(
+        fmt::format("{}: capsule {} has {} nodes and {} triangles, that of the case {} and {}, or they are "
+                    "connected otherwise; use a "
+                    "file of the same mesh",
+                    name, k, surfaces.positions[k].cols(), surfaces.triangles[k].cols(),
+                    reference.points.cols(), reference.triangles.cols()));
+  }
+}
+
+}  // namespace tanktread::driver

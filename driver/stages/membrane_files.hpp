@@ -1,0 +1,37 @@
+// The membranes of a case as a file: what a person looks at, and what the membrane component goes on from.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "driver/stages/packets.hpp"
+#include "exchange/packet.hpp"
+#include "membrane/membrane.hpp"
+
+namespace tanktread::driver {
+
+/// Positions and triangles of all membranes.
+Surfaces surfaces_of(const std::vector<membrane::Membrane>& membranes);
+
+/// All membranes as one surface. Point data velocity, elastic_force, total_force; cell data
+/// principal_stretches, stress, viscous_stress, area_ratio, capsule; field data step, shear_time,
+/// schema_version.
+/// @param velocity that moved the nodes to their positions
+/// @param force the total force at the positions
+exchange::SurfacePacket membrane_file(const std::vector<membrane::Membrane>& membranes,
+                                      const NodeVectors& velocity, const NodeVectors& force,
+                                      std::int64_t step, double shear_time);
+
+/// Adds what the membranes need to go on: field data history_0, history_1 ... (Membrane::history()).
+void add_histories(exchange::SurfacePacket& file, const std::vector<membrane::Membrane>& membranes);
+
+/// Takes it over. @param name of the file, for messages
+/// @throws exchange::FileError if a history is missing or is not one of these membranes
+void restore_histories(std::vector<membrane::Membrane>& membranes, const exchange::SurfacePacket& file,
+                       const std::string& name);
+
+/// @throws exchange::FileError unless the surfaces have the nodes and triangles of the membranes
+void check_surfaces(const Surfaces& surfaces, const std::vector<membrane::Membrane>& membranes,
+                    const std::string& name);
+
+}  // namespace tanktread::driver

@@ -1,0 +1,47 @@
+// What crosses the borders between the components in a step, in memory.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tanktread::driver {
+
+/// Vectors on some nodes of the grid.
+struct GridVectors {
+  std::vector<std::int64_t> nodes;  ///< linear indices, x fastest, ascending
+  std::vector<double> values;       ///< 3 a node listed, component fastest
+};
+
+/// A vector on each node of each capsule: a 3 x n matrix a capsule.
+using NodeVectors = std::vector<Eigen::Matrix3Xd>;
+
+/// The surfaces that vectors are on.
+struct Surfaces {
+  NodeVectors positions;                    ///< grid steps
+  std::vector<Eigen::Matrix3Xi> triangles;  ///< corners, counted within the capsule
+};
+
+/// The packets of the step from t to t+1, in their order.
+enum class Packet {
+  grid_velocity,  ///< u(t) on the grid nodes that the stencils at x(t) touch: fluid to coupler
+  node_velocity,  ///< u_m(t): coupler to membrane
+  positions,      ///< x(t+1): membrane, from the move to the forces
+  node_force,     ///< F_m(t+1): membrane to coupler
+  grid_force,     ///< F(t+1) on the nodes that the stencils at x(t+1) touch: coupler to fluid
+};
+
+/// All packets, in the order of the step.
+inline constexpr Packet all_packets[] = {Packet::grid_velocity, Packet::node_velocity, Packet::positions,
+                                         Packet::node_force, Packet::grid_force};
+
+/// The name in files and folders, "grid_velocity" ...
+std::string name_of(Packet packet);
+/// The array that holds the packet in its file: "velocity", "force" (on the grid), "total_force" (on nodes);
+/// "" for the positions, which are the points.
+std::string array_of(Packet packet);
+/// Whether the packet lives on the grid (.vti) or on the capsules (.vtu).
+bool is_on_grid(Packet packet);
+
+}  // namespace tanktread::driver

@@ -1,0 +1,25 @@
+// The way of a packet from one phase to the next.
+#pragma once
+
+#include "driver/stages/packets.hpp"
+
+namespace tanktread::driver {
+
+struct System;
+
+/// What happens to the packets of a step on their way. This one hands them on in memory, untouched; others
+/// also write them to files, or hand on what they read back from there.
+class Passage {
+ public:
+  virtual ~Passage() = default;
+
+  /// @param system at work on the step from `system.step` to the next: positions are x(t) until the packet
+  /// `positions` has passed, x(t+1) from then on
+  virtual void pass(const System& system, Packet packet, GridVectors& vectors);
+  virtual void pass(const System& system, Packet packet, NodeVectors& vectors);
+};
+
+inline void Passage::pass(const System&, Packet, GridVectors&) {}
+inline void Passage::pass(const System&, Packet, NodeVectors&) {}
+
+}  // namespace tanktread::driver
