@@ -14,6 +14,7 @@ struct RunArguments {
   bool force = false;
   double shear_time = 0;
   int threads = 0;
+  PacketOptions packets;
 };
 
 /// The folder that holds the case gives the output its name; a file of another name than case.toml gives its
@@ -31,7 +32,23 @@ int run_case(const RunArguments& arguments) {
   options.output = arguments.output.empty() ? default_output(arguments.case_file)
                                             : std::filesystem::path(arguments.output);
   options.force = arguments.force;
+  options.packets = arguments.packets;
   return run_new(plan, options);
+}
+
+/// Options of what goes from phase to phase.
+void add_packet_options(CLI::App& command, PacketOptions& packets) {
+  auto* record = command.add_option("--record", packets.record,
+                                    "Write every packet of the steps --from to --to into this directory");
+  command.add_option("--from", packets.from, "First time step to record (default 0)")
+      ->check(CLI::NonNegativeNumber)
+      ->needs(record);
+  command.add_option("--to", packets.to, "Last time step to record (default: the end of the run)")
+      ->needs(record);
+  command
+      .add_flag("--through-files", packets.through_files,
+                "Hand every packet on by way of a file in OUTPUT/packets")
+      ->excludes(record);
 }
 
 }  // namespace
@@ -60,12 +77,13 @@ void add_run_command(CLI::App& app, int& exit_code) {
                           "finished run with --resume");
   auto* resume = command->add_option("--resume", arguments->resume,
                                      "Go on from the last checkpoint of this output directory");
+  add_packet_options(*command, arguments->packets);
   resume->excludes(case_file)->excludes(output)->excludes(force)->excludes(set);
   command->callback([=, &exit_code] {
     if (*resume) {
       exit_code =
           run_resumed(arguments->resume, *shear_time ? std::optional(arguments->shear_time) : std::nullopt,
-                      *threads ? std::optional(arguments->threads) : std::nullopt);
+                      *threads ? std::optional(arguments->threads) : std::nullopt, arguments->packets);
       return;
     }
     if (!*case_file)

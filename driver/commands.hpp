@@ -8,6 +8,9 @@ namespace tanktread::driver {
 /// Each adds its command to `app`; its callback stores the exit code in `exit_code`.
 void add_run_command(CLI::App& app, int& exit_code);
 void add_plan_command(CLI::App& app, int& exit_code);
+void add_membrane_command(CLI::App& app, int& exit_code);
+void add_coupler_command(CLI::App& app, int& exit_code);
+void add_fluid_command(CLI::App& app, int& exit_code);
 void add_mesh_command(CLI::App& app, int& exit_code);
 void add_study_command(CLI::App& app, int& exit_code);
 

@@ -30,6 +30,9 @@ int main(int argc, char** argv) {
   int exit_code = 0;
   tanktread::driver::add_run_command(app, exit_code);
   tanktread::driver::add_plan_command(app, exit_code);
+  tanktread::driver::add_membrane_command(app, exit_code);
+  tanktread::driver::add_coupler_command(app, exit_code);
+  tanktread::driver::add_fluid_command(app, exit_code);
   tanktread::driver::add_mesh_command(app, exit_code);
   tanktread::driver::add_study_command(app, exit_code);
   try {

@@ -20,7 +20,7 @@ std::vector<Observation> observe(const System& system, const Case& the_case, con
     const auto shape = membrane::deformation(moments, the_case.flow.flow_axis, the_case.flow.wall_axis);
     Observation row;
     row.step = system.step;
-    row.shear_time = static_cast<double>(system.step) * parameters.shear_rate;
+    row.shear_time = system.shear_time();
     row.deformation = shape.deformation;
     row.inclination_deg = shape.inclination_deg;
     row.length = shape.length / radius;

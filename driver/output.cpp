@@ -79,9 +79,8 @@ void Output::resume(std::int64_t step) {
 }
 
 std::vector<Observation> Output::write(const System& system, bool last) {
-  const double shear_time = static_cast<double>(system.step) * parameters_.shear_rate;
-  if (membrane_.due(system.step) || (last && membrane_.interval > 0)) write_membrane(system, shear_time);
-  if (fluid_.due(system.step) || (last && fluid_.interval > 0)) write_fluid(system, shear_time);
+  if (membrane_.due(system.step) || (last && membrane_.interval > 0)) write_membrane(system);
+  if (fluid_.due(system.step) || (last && fluid_.interval > 0)) write_fluid(system);
   // The table last: a row of the end of the run says that all is there.
   if (!observables_.due(system.step) && !(last && observables_.interval > 0)) return {};
   const auto observations = observe(system, case_, parameters_);
@@ -93,18 +92,18 @@ std::vector<Observation> Output::write(const System& system, bool last) {
   return observations;
 }
 
-void Output::write_membrane(const System& system, double shear_time) {
+void Output::write_membrane(const System& system) {
   const auto file = numbered("membrane", system.step, "vtu");
   exchange::write_surface(directory_ / file, membrane_file(system.membranes, system.node_velocity,
-                                                           system.node_force, system.step, shear_time));
-  add_to_series(directory_ / "membrane.pvd", shear_time, file);
+                                                           system.node_force, system.step, system.shear_time()));
+  add_to_series(directory_ / "membrane.pvd", system.shear_time(), file);
 }
 
-void Output::write_fluid(const System& system, double shear_time) {
+void Output::write_fluid(const System& system) {
   const auto file = numbered("fluid", system.step, "vti");
   exchange::write_grid(directory_ / file,
-                       flow_file(*system.fluid, case_.output.fluid_box, system.step, shear_time));
-  add_to_series(directory_ / "fluid.pvd", shear_time, file);
+                       flow_file(*system.fluid, case_.output.fluid_box, system.step, system.shear_time()));
+  add_to_series(directory_ / "fluid.pvd", system.shear_time(), file);
 }
 
 }  // namespace tanktread::driver

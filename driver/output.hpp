@@ -25,8 +25,8 @@ class Output {
   std::vector<Observation> write(const System& system, bool last);
 
  private:
-  void write_membrane(const System& system, double shear_time);
-  void write_fluid(const System& system, double shear_time);
+  void write_membrane(const System& system);
+  void write_fluid(const System& system);
 
   const Case& case_;
   const Parameters& parameters_;

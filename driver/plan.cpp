@@ -69,15 +69,16 @@ Cost predict_cost(const Case& the_case, const Parameters& parameters,
     for (const auto& range : *the_case.output.fluid_box) fluid_output_nodes *= range[1] - range[0] + 1;
   }
   constexpr double fluid_record = 7 * 8, node_record = (3 + 9) * 8, triangle_record = (22 + 3 + 1) * 8 + 1;
-  // A checkpoint has corners, normals and the viscous history of a triangle.
-  constexpr double observables_row_bytes = 300, n_checkpoints = 2, checkpoint_triangle = (3 + 3 + 9) * 8;
+  // A checkpoint has the membrane's record, reference positions, and of a triangle its normal and viscous history.
+  constexpr double observables_row_bytes = 300, n_checkpoints = 2;
+  constexpr double checkpoint_node = node_record + 3 * 8, checkpoint_triangle = triangle_record + (3 + 9) * 8;
   cost.disk_bytes =
       times_written(the_case.output.fluid_every, the_case, parameters) * fluid_record * fluid_output_nodes +
       times_written(the_case.output.membrane_every, the_case, parameters) *
           (node_record * membrane_nodes + triangle_record * triangles) +
       times_written(the_case.output.observables_every, the_case, parameters) * observables_row_bytes *
           static_cast<double>(meshes.size()) +
-      n_checkpoints * (n_nodes * fluid::lattice_boltzmann_memory_per_node + 6 * 8 * membrane_nodes +
+      n_checkpoints * (n_nodes * fluid::lattice_boltzmann_memory_per_node + checkpoint_node * membrane_nodes +
                        checkpoint_triangle * triangles);
   return cost;
 }

@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+
 #include "driver/checkpoint.hpp"
 #include "driver/output.hpp"
 #include "driver/output_directory.hpp"
 #include "driver/progress.hpp"
 #include "driver/signals.hpp"
+#include "driver/stages/file_passage.hpp"
 #include "driver/step.hpp"
 #include "exchange/vtk_files.hpp"
 
@@ -36,22 +39,54 @@ void print_closing(const System& system, const Progress& progress, const std::fi
                              folders.empty() ? "none was written" : folders.back().string()));
 }
 
+/// The steps to record, checked against those of the run. @throws InputError
+RecordedSteps recorded_steps(const PacketOptions& packets, std::int64_t first_step, std::int64_t last_step) {
+  const RecordedSteps steps{packets.from, packets.to.value_or(last_step)};
+  if (steps.from >= first_step && steps.from < steps.to && steps.to <= last_step) return steps;
+  throw InputError(
+      fmt::format("--from {} --to {}: the run goes from step {} to step {}; give steps within that, the "
+                  "first below the last",
+                  steps.from, steps.to, first_step, last_step));
+}
+
+/// Refuses what cannot be recorded, before anything is written. @throws InputError
+void check_packets(const PacketOptions& packets, std::int64_t first_step, std::int64_t last_step) {
+  if (packets.record.empty()) return;
+  recorded_steps(packets, first_step, last_step);
+  if (std::filesystem::exists(packets.record) && !std::filesystem::is_empty(packets.record)) {
+    throw InputError(fmt::format("--record {}: holds something already; give another directory or remove it",
+                                 packets.record.string()));
+  }
+}
+
+std::unique_ptr<Passage> make_passage(const PacketOptions& packets, const Plan& plan, std::int64_t first_step,
+                                      const std::filesystem::path& directory) {
+  if (packets.through_files) return std::make_unique<FilePassage>(directory / "packets");
+  if (packets.record.empty()) return std::make_unique<Passage>();
+  const auto last_step = steps_of(plan.the_case.run.shear_time, plan.parameters);
+  std::filesystem::create_directories(packets.record);
+  write_echo(plan, packets.record);
+  return std::make_unique<Recorder>(packets.record, recorded_steps(packets, first_step, last_step));
+}
+
 /// A step and what is due after it.
-void advance_and_write(System& system, Output& output, Progress& progress, const Schedule& checkpoints,
-                       std::int64_t last_step, const std::filesystem::path& directory) {
-  advance(system);
+void advance_and_write(System& system, Passage& passage, Output& output, Progress& progress,
+                       const Schedule& checkpoints, std::int64_t last_step,
+                       const std::filesystem::path& directory) {
+  advance(system, passage);
   progress.observe(output.write(system, system.step == last_step));
   if (checkpoints.due(system.step) || system.step == last_step) write_checkpoint(system, directory);
   progress.update(system.step);
 }
 
-int run_on(System& system, const Plan& plan, Output& output, const std::filesystem::path& directory) {
+int run_on(System& system, Passage& passage, const Plan& plan, Output& output,
+           const std::filesystem::path& directory) {
   const std::int64_t last_step = steps_of(plan.the_case.run.shear_time, plan.parameters);
   const auto checkpoints = schedule_of(plan.the_case.run.checkpoint_every, plan.parameters);
   Progress progress(system.step, last_step, system.fluid->shape().size(), plan.parameters.shear_rate);
   try {
     while (system.step < last_step && SignalGuard::caught() == 0) {
-      advance_and_write(system, output, progress, checkpoints, last_step, directory);
+      advance_and_write(system, passage, output, progress, checkpoints, last_step, directory);
     }
     if (system.step < last_step) write_checkpoint(system, directory);
   } catch (const RunError& error) {
@@ -81,7 +116,7 @@ Case read_echo(const std::filesystem::path& directory, std::optional<double> she
 
 /// Whether there is anything left to do. @throws InputError for an end that cannot be reached from the
 /// checkpoint
-bool goes_on(const Checkpoint& checkpoint, std::int64_t last_step, std::int64_t former_last_step,
+bool goes_on(const SavedState& checkpoint, std::int64_t last_step, std::int64_t former_last_step,
              double shear_time) {
   if (last_step > checkpoint.step) return true;
   if (last_step == checkpoint.step && former_last_step == checkpoint.step) return false;
@@ -96,6 +131,7 @@ bool goes_on(const Checkpoint& checkpoint, std::int64_t last_step, std::int64_t 
 int run_new(const Plan& plan, const RunOptions& options) {
   const SignalGuard guard;
   check_output_directory(options.output, options.force);
+  check_packets(options.packets, 0, steps_of(plan.the_case.run.shear_time, plan.parameters));
   const DirectoryLock lock(options.output);
   if (options.force) remove_earlier_run(options.output);
   remove_temporary_files(options.output);
@@ -105,11 +141,12 @@ int run_new(const Plan& plan, const RunOptions& options) {
   output.begin();
   output.write(system, false);
   write_checkpoint(system, options.output);
-  return run_on(system, plan, output, options.output);
+  const auto passage = make_passage(options.packets, plan, 0, options.output);
+  return run_on(system, *passage, plan, output, options.output);
 }
 
 int run_resumed(const std::filesystem::path& directory, std::optional<double> shear_time,
-                std::optional<int> threads) {
+                std::optional<int> threads, const PacketOptions& packets) {
   const SignalGuard guard;
   const auto former_case = read_echo(directory, std::nullopt, std::nullopt);
   const auto the_case = read_echo(directory, shear_time, threads);
@@ -123,6 +160,7 @@ int run_resumed(const std::filesystem::path& directory, std::optional<double> sh
     fmt::print("the run is at its end; --shear-time extends it\n");
     return 0;
   }
+  check_packets(packets, checkpoint.step, last_step);
   auto system = make_system(the_case, plan.parameters, checkpoint.references);
   restore(system, checkpoint);
   checkpoint.fluid = {};  // as large as the lattice itself
@@ -130,7 +168,8 @@ int run_resumed(const std::filesystem::path& directory, std::optional<double> sh
   if (shear_time || threads) write_echo(plan, directory);
   Output output(plan.the_case, plan.parameters, directory);
   output.resume(checkpoint.step);
-  return run_on(system, plan, output, directory);
+  const auto passage = make_passage(packets, plan, checkpoint.step, directory);
+  return run_on(system, *passage, plan, output, directory);
 }
 
 }  // namespace tanktread::driver

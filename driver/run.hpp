@@ -1,6 +1,7 @@
 // A whole run: from a plan, or on from a checkpoint, to the end.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 
@@ -8,10 +9,19 @@
 
 namespace tanktread::driver {
 
+/// How the packets of a run's steps go from phase to phase.
+struct PacketOptions {
+  std::filesystem::path record;    ///< a directory to record them in; "": they are not
+  std::int64_t from = 0;           ///< the first time step to record
+  std::optional<std::int64_t> to;  ///< the end of the record; none: of the run
+  bool through_files = false;      ///< every packet by way of a file in OUTPUT/packets
+};
+
 /// What `tanktread run` was told.
 struct RunOptions {
   std::filesystem::path output;
   bool force = false;  ///< an output of an earlier run in that directory may be removed
+  PacketOptions packets;
 };
 
 /// Makes the output directory and runs the case to its end.
@@ -23,6 +33,6 @@ int run_new(const Plan& plan, const RunOptions& options);
 /// @param shear_time a new end of the run, in place of that in echo.toml
 /// @param threads in place of that in echo.toml
 int run_resumed(const std::filesystem::path& directory, std::optional<double> shear_time,
-                std::optional<int> threads);
+                std::optional<int> threads, const PacketOptions& packets);
 
 }  // namespace tanktread::driver

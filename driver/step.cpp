@@ -47,6 +47,7 @@ void advance_phases(System& system, Passage& passage) {
   // 6. The fluid goes to t+1 under F(t+1).
   system.highest_speed = timed(seconds.fluid, [&] { return advance_fluid(fluid, force); });
   ++system.step;
+  passage.step_done(system);
 }
 
 }  // namespace

@@ -1,18 +1,11 @@
 // One time step of the coupled system: numbered phases and nothing else.
 #pragma once
 
-#include <stdexcept>
-
+#include "driver/run_error.hpp"
 #include "driver/stages/passage.hpp"
 #include "driver/system.hpp"
 
 namespace tanktread::driver {
-
-/// The run went wrong and must stop; the message says what, where and at which step. Exit code 3.
-class RunError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Advances the system from t to t+1.
 /// @throws RunError on NaN, excess speed, a node that moves over half a grid step, an inverted element, a

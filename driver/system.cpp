@@ -10,6 +10,7 @@ namespace tanktread::driver {
 System make_system(const Case& the_case, const Parameters& parameters,
                    const std::vector<membrane::TriangleMesh>& meshes) {
   System system;
+  system.shear_rate = parameters.shear_rate;
   system.fluid = make_fluid(the_case, parameters);
   system.coupler = make_coupler(the_case);
   system.membranes = make_membranes(the_case, parameters, meshes);

@@ -28,10 +28,13 @@ struct System {
   std::vector<membrane::Membrane> membranes;
 
   std::int64_t step = 0;
+  double shear_rate = 0;      ///< g, for the times in files
   NodeVectors node_velocity;  ///< u_m(t-1), which moved the nodes to x(t)
   NodeVectors node_force;     ///< the total force at x(t)
   double highest_speed = 0;   ///< of the fluid, in the last step
   ComponentSeconds seconds;
+
+  double shear_time() const { return static_cast<double>(step) * shear_rate; }
 };
 
 /// Builds the components of a case at its start. @param meshes the reference mesh of each capsule

@@ -63,22 +63,28 @@ exchange::SurfacePacket membrane_file(const std::vector<membrane::Membrane>& mem
   return file;
 }
 
-void add_histories(exchange::SurfacePacket& file, const std::vector<membrane::Membrane>& membranes) {
+void add_state(exchange::SurfacePacket& file, const std::vector<membrane::Membrane>& membranes) {
+  NodeVectors references;
+  for (const auto& membrane : membranes) references.push_back(membrane.reference().points);
+  add_vectors(file, "reference_position", references);
   for (std::size_t k = 0; k < membranes.size(); ++k) {
     file.field_data.push_back({history_name(k), 1, membranes[k].history()});
   }
+}
+
+std::vector<double> history_of(const exchange::SurfacePacket& file, std::size_t capsule, const std::string& name) {
+  return exchange::find_array(file.field_data, history_name(capsule), name).values;
 }
 
 void restore_histories(std::vector<membrane::Membrane>& membranes, const exchange::SurfacePacket& file,
                        const std::string& name) {
   check_schema_version(file.field_data, name);
   for (std::size_t k = 0; k < membranes.size(); ++k) {
-    const auto& history = exchange::find_array(file.field_data, history_name(k), name);
     try {
-      membranes[k].restore_history(history.values);
+      membranes[k].restore_history(history_of(file, k, name));
     } catch (const std::invalid_argument& error) {
       throw exchange::FileError(
-          fmt::format("{}: {} does not fit the case's membrane {}: {}", name, history.name, k, error.what()));
+          fmt::format("{}: {} does not fit the case's membrane {}: {}", name, history_name(k), k, error.what()));
     }
   }
 }

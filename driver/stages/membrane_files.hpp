@@ -22,10 +22,14 @@ exchange::SurfacePacket membrane_file(const std::vector<membrane::Membrane>& mem
                                       const NodeVectors& velocity, const NodeVectors& force,
                                       std::int64_t step, double shear_time);
 
-/// Adds what the membranes need to go on: field data history_0, history_1 ... (Membrane::history()).
-void add_histories(exchange::SurfacePacket& file, const std::vector<membrane::Membrane>& membranes);
+/// Adds what the membranes need to go on: point data reference_position, field data history_0, history_1 ...
+/// (Membrane::history()).
+void add_state(exchange::SurfacePacket& file, const std::vector<membrane::Membrane>& membranes);
 
-/// Takes it over. @param name of the file, for messages
+/// The history of one capsule. @throws exchange::FileError if it is missing
+std::vector<double> history_of(const exchange::SurfacePacket& file, std::size_t capsule, const std::string& name);
+
+/// Takes the histories over. @param name of the file, for messages
 /// @throws exchange::FileError if a history is missing or is not one of these membranes
 void restore_histories(std::vector<membrane::Membrane>& membranes, const exchange::SurfacePacket& file,
                        const std::string& name);

@@ -142,6 +142,17 @@ NodeVectors vectors_of(const exchange::SurfacePacket& file, const std::string& a
   return vectors;
 }
 
+void check_sizes(const NodeVectors& vectors, const NodeVectors& like, const std::string& name) {
+  if (vectors.size() != like.size()) {
+    throw FileError(fmt::format("{}: {} capsules, expected {}", name, vectors.size(), like.size()));
+  }
+  for (std::size_t k = 0; k < like.size(); ++k) {
+    if (vectors[k].cols() == like[k].cols()) continue;
+    throw FileError(
+        fmt::format("{}: capsule {} has {} nodes, expected {}", name, k, vectors[k].cols(), like[k].cols()));
+  }
+}
+
 exchange::GridPacket grid_file(const GridVectors& vectors, const std::string& array, const Box& box,
                                std::int64_t step) {
   const std::size_t n_nodes = std::size_t(box[0]) * std::size_t(box[1]) * std::size_t(box[2]);
@@ -179,6 +190,10 @@ GridVectors grid_vectors_of(const exchange::GridPacket& file, const std::string&
     vectors.values.insert(vectors.values.end(), first, first + 3);
   }
   return vectors;
+}
+
+bool has_array(const std::vector<Array>& arrays, const std::string& array) {
+  return optional_array(arrays, array) != nullptr;
 }
 
 std::int64_t step_of(const std::vector<Array>& field_data, const std::string& name) {

@@ -35,6 +35,9 @@ Surfaces surfaces_of(const exchange::SurfacePacket& file, const std::string& nam
 NodeVectors vectors_of(const exchange::SurfacePacket& file, const std::string& array,
                        const Surfaces& surfaces, const std::string& name);
 
+/// @throws exchange::FileError unless there are as many capsules as in `like`, of as many nodes each
+void check_sizes(const NodeVectors& vectors, const NodeVectors& like, const std::string& name);
+
 /// Vectors on some nodes as an array on the whole grid, zero elsewhere; point data `touched` says 1 where the
 /// vectors are.
 exchange::GridPacket grid_file(const GridVectors& vectors, const std::string& array, const Box& box,
@@ -45,6 +48,8 @@ exchange::GridPacket grid_file(const GridVectors& vectors, const std::string& ar
 /// array is missing or has not three components; for a later schema version
 GridVectors grid_vectors_of(const exchange::GridPacket& file, const std::string& array, const Box& box,
                             const std::string& name);
+
+bool has_array(const std::vector<exchange::Array>& arrays, const std::string& array);
 
 /// The step of a file; 0 without the array `step`. @throws exchange::FileError if it is not a whole number
 std::int64_t step_of(const std::vector<exchange::Array>& field_data, const std::string& name);

@@ -17,9 +17,13 @@ class Passage {
   /// `positions` has passed, x(t+1) from then on
   virtual void pass(const System& system, Packet packet, GridVectors& vectors);
   virtual void pass(const System& system, Packet packet, NodeVectors& vectors);
+
+  /// The step is done: `system` stands at its end.
+  virtual void step_done(const System& system);
 };
 
 inline void Passage::pass(const System&, Packet, GridVectors&) {}
 inline void Passage::pass(const System&, Packet, NodeVectors&) {}
+inline void Passage::step_done(const System&) {}
 
 }  // namespace tanktread::driver

@@ -1,0 +1,54 @@
+#include <memory>
+
+#include "driver/commands.hpp"
+#include "driver/stages/case_options.hpp"
+#include "driver/stages/stages.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+void add_spread_command(CLI::App& coupler, int& exit_code) {
+  struct Arguments {
+    CaseOptions the_case;
+    SpreadStage stage;
+  };
+  auto* command = coupler.add_subcommand("spread", "Nodal forces to the grid");
+  auto arguments = std::make_shared<Arguments>();
+  arguments->the_case.add_to(*command);
+  command->add_option("--in", arguments->stage.in, "Surface file with the array `total_force`")->required();
+  command->add_option("--out", arguments->stage.out, "Grid file to write (.vti), with the array `force`")->required();
+  command->callback([=, &exit_code] {
+    arguments->stage.the_case = arguments->the_case.read();
+    run_stage(arguments->stage);
+    exit_code = 0;
+  });
+}
+
+void add_interpolate_command(CLI::App& coupler, int& exit_code) {
+  struct Arguments {
+    CaseOptions the_case;
+    InterpolateStage stage;
+  };
+  auto* command = coupler.add_subcommand("interpolate", "Grid velocities to the nodes");
+  auto arguments = std::make_shared<Arguments>();
+  arguments->the_case.add_to(*command);
+  command->add_option("--in", arguments->stage.in, "Surface file with the nodes")->required();
+  command->add_option("--grid", arguments->stage.grid, "Grid file with the array `velocity`")->required();
+  command->add_option("--out", arguments->stage.out, "Surface file to write (.vtu), with the array `velocity`")->required();
+  command->callback([=, &exit_code] {
+    arguments->stage.the_case = arguments->the_case.read();
+    run_stage(arguments->stage);
+    exit_code = 0;
+  });
+}
+
+}  // namespace
+
+void add_coupler_command(CLI::App& app, int& exit_code) {
+  auto* coupler = app.add_subcommand("coupler", "The immersed boundary by itself, from files to file (docs/components.md)");
+  coupler->require_subcommand(1);
+  add_spread_command(*coupler, exit_code);
+  add_interpolate_command(*coupler, exit_code);
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,47 @@
+#include "driver/components.hpp"
+#include "driver/stages/packet_files.hpp"
+#include "driver/stages/phases.hpp"
+#include "driver/stages/stage_errors.hpp"
+#include "driver/stages/stages.hpp"
+#include "exchange/vtk_files.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+void run(const SpreadStage& stage) {
+  const auto file = exchange::read_surface(stage.in, true);
+  const auto surfaces = surfaces_of(file, stage.in.string());
+  const auto force = vectors_of(file, "total_force", surfaces, stage.in.string());
+  const auto coupler = make_coupler(stage.the_case);
+  const auto grid_force = spread(*coupler, surfaces.positions, force);
+  exchange::write_grid(stage.out, grid_file(grid_force, "force", stage.the_case.flow.box,
+                                            step_of(file.field_data, stage.in.string())));
+}
+
+void run(const InterpolateStage& stage) {
+  const auto file = exchange::read_surface(stage.in, true);
+  const auto surfaces = surfaces_of(file, stage.in.string());
+  const auto grid = grid_vectors_of(exchange::read_grid(stage.grid, true), "velocity", stage.the_case.flow.box,
+                                    stage.grid.string());
+  const auto coupler = make_coupler(stage.the_case);
+  build_stencils(*coupler, surfaces.positions);
+  auto out = surface_file(surfaces, step_of(file.field_data, stage.in.string()));
+  try {
+    add_vectors(out, "velocity", interpolate(*coupler, grid, surfaces.positions));
+  } catch (const std::invalid_argument& error) {
+    throw InputError(stage.grid.string() + ": " + error.what());
+  }
+  exchange::write_surface(stage.out, out);
+}
+
+}  // namespace
+
+void run_stage(const SpreadStage& stage) {
+  with_stage_errors([&] { run(stage); });
+}
+
+void run_stage(const InterpolateStage& stage) {
+  with_stage_errors([&] { run(stage); });
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,60 @@
+#include "driver/stages/file_passage.hpp"
+
+#include "driver/stages/packet_folder.hpp"
+#include "driver/stages/state_folder.hpp"
+
+namespace tanktread::driver {
+
+FilePassage::FilePassage(std::filesystem::path directory) : directory_(std::move(directory)) {
+  std::filesystem::create_directories(directory_);
+}
+
+void FilePassage::pass(const System& system, Packet packet, GridVectors& vectors) {
+  const auto file = directory_ / (name_of(packet) + ".vti");
+  write_packet(file, system, packet, vectors);
+  const auto shape = system.fluid->shape();
+  vectors = read_grid_packet(file, packet, {shape.nx, shape.ny, shape.nz}, system.step + 1);
+}
+
+void FilePassage::pass(const System& system, Packet packet, NodeVectors& vectors) {
+  const auto file = directory_ / (name_of(packet) + ".vtu");
+  write_packet(file, system, packet, vectors);
+  vectors = read_node_packet(file, packet, vectors, system.step + 1);
+}
+
+Recorder::Recorder(std::filesystem::path directory, RecordedSteps steps)
+    : directory_(std::move(directory)), steps_(steps) {
+  for (const auto packet : all_packets) {
+    std::filesystem::create_directories(directory_ / name_of(packet));
+    exchange::write_series(directory_ / (name_of(packet) + ".pvd"), {});
+  }
+}
+
+template <class Vectors>
+void Recorder::record(const System& system, Packet packet, const Vectors& vectors) {
+  if (system.step < steps_.from || system.step >= steps_.to) return;
+  const auto file = packet_path(directory_, packet, system.step + 1);
+  write_packet(file, system, packet, vectors);
+  const auto series = directory_ / (name_of(packet) + ".pvd");
+  auto entries = exchange::read_series(series);
+  entries.push_back({static_cast<double>(system.step + 1) * system.shear_rate, file.lexically_relative(directory_).string()});
+  exchange::write_series(series, entries);
+}
+
+void Recorder::pass(const System& system, Packet packet, GridVectors& vectors) {
+  // The first packet of a step: the system still stands at its beginning.
+  if (packet == Packet::grid_velocity && system.step == steps_.from) {
+    write_state(directory_ / "begin", system);
+  }
+  record(system, packet, vectors);
+}
+
+void Recorder::pass(const System& system, Packet packet, NodeVectors& vectors) {
+  record(system, packet, vectors);
+}
+
+void Recorder::step_done(const System& system) {
+  if (system.step == steps_.to) write_state(directory_ / "end", system);
+}
+
+}  // namespace tanktread::driver

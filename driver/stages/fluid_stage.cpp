@@ -1,0 +1,56 @@
+#include <fmt/format.h>
+
+#include "driver/components.hpp"
+#include "driver/stages/fluid_files.hpp"
+#include "driver/stages/packet_files.hpp"
+#include "driver/stages/phases.hpp"
+#include "driver/stages/stage_errors.hpp"
+#include "driver/stages/stages.hpp"
+#include "exchange/vtk_files.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+void restore(fluid::Fluid& fluid, const std::filesystem::path& file) {
+  auto content = exchange::read_grid(file);
+  const auto shape = fluid.shape();
+  if (content.nodes != Box{shape.nx, shape.ny, shape.nz}) {
+    throw InputError(fmt::format("{}: {} x {} x {} nodes, the case has {} x {} x {}", file.string(), content.nodes[0],
+                                 content.nodes[1], content.nodes[2], shape.nx, shape.ny, shape.nz));
+  }
+  try {
+    fluid.restore(state_of(std::move(content), file.string()));
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: does not fit the case: {}", file.string(), error.what()));
+  }
+}
+
+void take_steps(fluid::Fluid& fluid, const FluidStage& stage) {
+  GridVectors force;
+  if (!stage.force.empty()) {
+    force = grid_vectors_of(exchange::read_grid(stage.force, true), "force", stage.the_case.flow.box,
+                            stage.force.string());
+  }
+  for (std::int64_t k = 0; k < stage.n_steps; ++k) advance_fluid(fluid, force);
+}
+
+void run(const FluidStage& stage) {
+  const auto numbers = parameters(stage.the_case);
+  const auto fluid = make_fluid(stage.the_case, numbers);
+  if (!stage.state.empty()) restore(*fluid, stage.state);
+  take_steps(*fluid, stage);
+  auto state = fluid->state();
+  const auto step = state.step;
+  exchange::write_grid(stage.out, state_file(std::move(state), fluid->shape()));
+  if (stage.fields.empty()) return;
+  exchange::write_grid(stage.fields,
+                       flow_file(*fluid, std::nullopt, step, static_cast<double>(step) * numbers.shear_rate));
+}
+
+}  // namespace
+
+void run_stage(const FluidStage& stage) {
+  with_stage_errors([&] { run(stage); });
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,78 @@
+#include <fmt/format.h>
+
+#include "driver/components.hpp"
+#include "driver/stages/membrane_files.hpp"
+#include "driver/stages/packet_files.hpp"
+#include "driver/stages/phases.hpp"
+#include "driver/stages/stage_errors.hpp"
+#include "driver/stages/stages.hpp"
+#include "exchange/vtk_files.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+/// Takes over the histories of a former output of this stage.
+void restore(std::vector<membrane::Membrane>& membranes, const std::filesystem::path& state) {
+  const auto file = exchange::read_surface(state);
+  check_surfaces(surfaces_of(file, state.string()), membranes, state.string());
+  restore_histories(membranes, file, state.string());
+}
+
+/// What the stage begins with: where the nodes are, how fast, and when.
+struct Input {
+  NodeVectors positions, velocity;
+  std::int64_t step = 0;
+};
+
+Input read_input(const MembraneStage& stage, const std::vector<membrane::Membrane>& membranes) {
+  const auto name = stage.in.string();
+  const auto file = exchange::read_surface(stage.in, true);
+  auto surfaces = surfaces_of(file, name);
+  check_surfaces(surfaces, membranes, name);
+  Input input;
+  input.step = step_of(file.field_data, name);
+  if (stage.move || has_array(file.point_data, "velocity")) {
+    input.velocity = vectors_of(file, "velocity", surfaces, name);
+  } else {
+    for (const auto& positions : surfaces.positions) input.velocity.emplace_back(Eigen::Matrix3Xd::Zero(3, positions.cols()));
+  }
+  input.positions = std::move(surfaces.positions);
+  if (stage.move) {
+    input.positions = move_nodes(input.positions, input.velocity);
+    ++input.step;
+  }
+  return input;
+}
+
+/// The start of the case: at rest, without forces, and without a step of the membrane.
+void write_start(const MembraneStage& stage, const std::vector<membrane::Membrane>& membranes) {
+  NodeVectors zero;
+  for (const auto& membrane : membranes) zero.emplace_back(Eigen::Matrix3Xd::Zero(3, membrane.n_nodes()));
+  auto file = membrane_file(membranes, zero, zero, 0, 0.0);
+  add_state(file, membranes);
+  exchange::write_surface(stage.out, file);
+}
+
+void run(const MembraneStage& stage) {
+  const auto numbers = parameters(stage.the_case);
+  auto membranes = make_membranes(stage.the_case, numbers, reference_meshes(stage.the_case));
+  if (!stage.state.empty()) restore(membranes, stage.state);
+  if (stage.in.empty()) {
+    write_start(stage, membranes);
+    return;
+  }
+  const auto input = read_input(stage, membranes);
+  const auto forces = nodal_forces(membranes, input.positions);
+  auto file = membrane_file(membranes, input.velocity, forces, input.step,
+                            static_cast<double>(input.step) * numbers.shear_rate);
+  add_state(file, membranes);
+  exchange::write_surface(stage.out, file);
+}
+
+}  // namespace
+
+void run_stage(const MembraneStage& stage) {
+  with_stage_errors([&] { run(stage); });
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "driver/components.hpp"
+#include "driver/schedule.hpp"
+#include "driver/stages/membrane_files.hpp"
+#include "driver/stages/packet_files.hpp"
+#include "driver/stages/phases.hpp"
+#include "driver/stages/stage_errors.hpp"
+#include "driver/stages/stages.hpp"
+#include "driver/twisting_sphere.hpp"
+#include "exchange/vtk_files.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+/// A motion as a function of the time step, and the steps at which its results are written, ascending, from 0.
+struct Motion {
+  std::function<NodeVectors(std::int64_t)> positions;
+  std::vector<std::int64_t> written;
+};
+
+/// Every capsule twisted to and fro about the z axis through its place.
+Motion twist(const MotionStage& stage, const Parameters& numbers, const std::vector<membrane::TriangleMesh>& meshes) {
+  std::vector<TwistingSphere> spheres;
+  for (const auto& capsule : stage.the_case.capsules) {
+    TwistingSphere sphere;
+    sphere.centre = {capsule.position[0], capsule.position[1], capsule.position[2]};
+    sphere.radius = capsule.radius;
+    sphere.amplitude = stage.twist_amplitude;
+    sphere.period = stage.twist_period * numbers.steps_per_shear_time;
+    spheres.push_back(sphere);
+  }
+  Motion motion;
+  motion.positions = [spheres, meshes](std::int64_t step) {
+    NodeVectors positions;
+    for (std::size_t k = 0; k < meshes.size(); ++k) {
+      positions.push_back(spheres[k].twisted(meshes[k].points, static_cast<double>(step)));
+    }
+    return positions;
+  };
+  const auto schedule = schedule_of(stage.every, numbers);
+  const auto end = steps_of(stage.shear_time, numbers);
+  for (std::int64_t step = 0; step <= end; step += schedule.interval) motion.written.push_back(step);
+  return motion;
+}
+
+/// The surfaces of a .pvd, each at its time, counted from that of the first.
+Motion series(const MotionStage& stage, const Parameters& numbers, const std::vector<membrane::Membrane>& membranes) {
+  const auto entries = exchange::read_series(stage.series);
+  if (entries.empty()) throw InputError(stage.series.string() + ": holds no file; a motion needs at least one");
+  std::vector<NodeVectors> frames;
+  Motion motion;
+  for (const auto& entry : entries) {
+    const auto file = stage.series.parent_path() / entry.file;
+    auto surfaces = surfaces_of(exchange::read_surface(file, true), file.string());
+    check_surfaces(surfaces, membranes, file.string());
+    const auto step = steps_of(entry.time - entries.front().time, numbers);
+    if (!motion.written.empty() && step <= motion.written.back()) {
+      throw InputError(fmt::format("{}: {} is at shear time {}, less than a time step after the file before it; a motion "
+                                   "goes forward",
+                                   stage.series.string(), entry.file, entry.time));
+    }
+    motion.written.push_back(step);
+    frames.push_back(std::move(surfaces.positions));
+  }
+  motion.positions = [frames, steps = motion.written](std::int64_t step) {
+    const auto next = static_cast<std::size_t>(std::ranges::lower_bound(steps, step) - steps.begin());
+    if (steps[next] == step) return frames[next];
+    const double part = static_cast<double>(step - steps[next - 1]) / static_cast<double>(steps[next] - steps[next - 1]);
+    NodeVectors positions;
+    for (std::size_t k = 0; k < frames[next].size(); ++k) {
+      positions.emplace_back(frames[next - 1][k] + part * (frames[next][k] - frames[next - 1][k]));
+    }
+    return positions;
+  };
+  return motion;
+}
+
+/// Goes through the motion; the first positions are not a step of the membrane, whose history begins there.
+void follow(const Motion& motion, std::vector<membrane::Membrane>& membranes, const Parameters& numbers,
+            const std::filesystem::path& out) {
+  std::vector<exchange::SeriesEntry> entries;
+  auto positions = motion.positions(0);
+  NodeVectors velocity, force;
+  for (std::size_t k = 0; k < membranes.size(); ++k) {
+    membranes[k].set_positions(positions[k]);
+    velocity.emplace_back(Eigen::Matrix3Xd::Zero(3, membranes[k].n_nodes()));
+  }
+  force = velocity;
+  std::filesystem::create_directories(out / "membrane");
+  auto due = motion.written.begin();
+  for (std::int64_t step = 0;; ++step) {
+    if (step > 0) {
+      auto next = motion.positions(step);
+      for (std::size_t k = 0; k < membranes.size(); ++k) velocity[k] = next[k] - positions[k];
+      positions = std::move(next);
+      force = nodal_forces(membranes, positions);
+    }
+    if (step != *due) continue;
+    const double shear_time = static_cast<double>(step) * numbers.shear_rate;
+    const auto file = fmt::format("membrane/membrane_{:010}.vtu", step);
+    exchange::write_surface(out / file, membrane_file(membranes, velocity, force, step, shear_time));
+    entries.push_back({shear_time, file});
+    exchange::write_series(out / "membrane.pvd", entries);
+    if (++due == motion.written.end()) return;
+  }
+}
+
+void run(const MotionStage& stage) {
+  const auto numbers = parameters(stage.the_case);
+  const auto meshes = reference_meshes(stage.the_case);
+  auto membranes = make_membranes(stage.the_case, numbers, meshes);
+  const auto motion = stage.series.empty() ? twist(stage, numbers, meshes) : series(stage, numbers, membranes);
+  if (std::filesystem::exists(stage.out) && !(std::filesystem::is_directory(stage.out) && std::filesystem::is_empty(stage.out))) {
+    throw InputError(stage.out.string() + ": is there already; --out must name a new or empty directory");
+  }
+  follow(motion, membranes, numbers, stage.out);
+}
+
+}  // namespace
+
+void run_stage(const MotionStage& stage) {
+  with_stage_errors([&] { run(stage); });
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,65 @@
+// The stages: one component at work by itself, from files to files. What they read and write: docs/components.md.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "driver/case.hpp"
+
+namespace tanktread::driver {
+
+/// `tanktread membrane`: strain, stress, nodal forces and new history of all capsules.
+struct MembraneStage {
+  Case the_case;
+  std::filesystem::path in;     ///< a surface file; "": the start of the case, at rest
+  bool move = false;            ///< first moves the nodes by the array `velocity` of `in`
+  std::filesystem::path state;  ///< an output of this stage, or a checkpoint's folder; "": no history
+  std::filesystem::path out;    ///< the surface file to write
+};
+/// @throws InputError for files that do not fit the case; RunError if a node moves too far or an element turns over
+void run_stage(const MembraneStage& stage);
+
+/// `tanktread membrane --motion`: the membrane under a motion that is given, time step by time step.
+struct MotionStage {
+  Case the_case;
+  std::filesystem::path series;  ///< a .pvd of surfaces, interpolated linearly in time; "": a twist about z
+  double twist_amplitude = 0;    ///< A0 of TwistingSphere, radians
+  double twist_period = 1;       ///< shear times
+  double shear_time = 1;         ///< of the twist: its end; a series ends at its last file
+  double every = 0.05;           ///< of the twist: shear times between files; a series has files at its own times
+  std::filesystem::path out;     ///< a directory: membrane.pvd and membrane/membrane_STEP.vtu
+};
+/// @throws as above
+void run_stage(const MotionStage& stage);
+
+/// `tanktread coupler spread`: nodal forces to the grid.
+struct SpreadStage {
+  Case the_case;
+  std::filesystem::path in;   ///< a surface file with point data total_force
+  std::filesystem::path out;  ///< the grid file to write, with point data force
+};
+void run_stage(const SpreadStage& stage);
+
+/// `tanktread coupler interpolate`: grid velocities to the nodes.
+struct InterpolateStage {
+  Case the_case;
+  std::filesystem::path in;    ///< a surface file
+  std::filesystem::path grid;  ///< a grid file with point data velocity
+  std::filesystem::path out;   ///< the surface file to write: `in` with point data velocity
+};
+void run_stage(const InterpolateStage& stage);
+
+/// `tanktread fluid`: some steps of the flow solver.
+struct FluidStage {
+  Case the_case;
+  std::filesystem::path state;   ///< an output of this stage, or a checkpoint's fluid.vti; "": the start of the case
+  std::filesystem::path force;   ///< a grid file with point data force, held through all steps; "": none
+  std::int64_t n_steps = 1;
+  std::filesystem::path out;     ///< the state to write
+  std::filesystem::path fields;  ///< a grid file with density, velocity, force to write too; "": none
+};
+void run_stage(const FluidStage& stage);
+
+}  // namespace tanktread::driver
