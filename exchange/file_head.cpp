@@ -116,6 +116,12 @@ void check_array_types(vtkXMLDataElement& element, const std::filesystem::path& 
     check_array_types(*element.GetNestedElement(k), file);
 }
 
+int n_field_arrays(vtkXMLDataElement& root, const std::string& type) {
+  auto* data_set = root.FindNestedElementWithName(type.c_str());
+  auto* field_data = data_set != nullptr ? data_set->FindNestedElementWithName("FieldData") : nullptr;
+  return field_data != nullptr ? field_data->GetNumberOfNestedElements() : 0;
+}
+
 }  // namespace
 
 void parse_head(vtkXMLDataParser& parser, std::istream& stream, const std::filesystem::path& file) {
@@ -127,7 +133,7 @@ void parse_head(vtkXMLDataParser& parser, std::istream& stream, const std::files
   }
 }
 
-void check_head(const WholeFile& file, const std::string& type) {
+int check_head(const WholeFile& file, const std::string& type) {
   std::ifstream stream(file.content(), std::ios::binary);
   vtkNew<vtkXMLDataParser> parser;
   parse_head(*parser, stream, file.name());
@@ -135,6 +141,7 @@ void check_head(const WholeFile& file, const std::string& type) {
   check_array_types(*parser->GetRootElement(), file.name());
   stream.clear();
   check_appended_layout(*parser, stream, file.name());
+  return n_field_arrays(*parser->GetRootElement(), type);
 }
 
 }  // namespace tanktread::exchange

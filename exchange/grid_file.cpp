@@ -10,6 +10,7 @@
 
 #include <cmath>
 
+#include "exchange/content_hash.hpp"
 #include "exchange/vtk_arrays.hpp"
 #include "exchange/vtk_calls.hpp"
 #include "exchange/vtk_files.hpp"
@@ -59,11 +60,14 @@ void check_frame(vtkImageData& image, const path& file) {
 
 void write_grid(const path& file, const GridPacket& packet) {
   check_grid(packet, file);
+  check_names(packet.field_data, file);
+  const std::vector<Array> hash = {to_array(content_hash(packet))};
   vtkNew<vtkImageData> image;
   image->SetDimensions(packet.nodes.data());
   image->SetOrigin(packet.origin.data());
   image->SetSpacing(packet.spacing.data());
   add_arrays(packet.point_data, image->GetNumberOfPoints(), *image->GetPointData(), "point data", file);
+  add_arrays(hash, any_size, *image->GetFieldData(), "field data", file);
   add_arrays(packet.field_data, any_size, *image->GetFieldData(), "field data", file);
   vtkNew<vtkXMLImageDataWriter> writer;
   write_with(*writer, *image, file);
@@ -84,6 +88,7 @@ GridPacket read_grid(const path& file, bool convert) {
   }
   packet.point_data = take_arrays(*image->GetPointData(), convert, "point data", file);
   packet.field_data = take_arrays(*image->GetFieldData(), convert, "field data", file);
+  check_content(packet, file);
   return packet;
 }
 

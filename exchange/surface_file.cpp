@@ -17,6 +17,7 @@
 
 #include <algorithm>
 
+#include "exchange/content_hash.hpp"
 #include "exchange/meshio_padding.hpp"
 #include "exchange/vtk_arrays.hpp"
 #include "exchange/vtk_calls.hpp"
@@ -70,9 +71,9 @@ void set_triangles(const SurfacePacket& packet, vtkUnstructuredGrid& grid) {
 }
 
 /// The lengths in bytes of all arrays, in the order in which VTK writes them.
-std::vector<std::int64_t> lengths_in_file(const SurfacePacket& packet) {
+std::vector<std::int64_t> lengths_in_file(const SurfacePacket& packet, const std::vector<Array>& hash) {
   std::vector<std::int64_t> lengths;
-  for (const auto* arrays : {&packet.field_data, &packet.point_data, &packet.cell_data}) {
+  for (const auto* arrays : {&hash, &packet.field_data, &packet.point_data, &packet.cell_data}) {
     for (const auto& array : *arrays) lengths.push_back(8 * static_cast<std::int64_t>(array.values.size()));
   }
   const auto n_triangles = static_cast<std::int64_t>(packet.triangles.size() / 3);
@@ -81,8 +82,8 @@ std::vector<std::int64_t> lengths_in_file(const SurfacePacket& packet) {
   return lengths;
 }
 
-void add_padding(const SurfacePacket& packet, vtkUnstructuredGrid& grid) {
-  const auto n_doubles = padding_for_meshio(lengths_in_file(packet));
+void add_padding(const SurfacePacket& packet, const std::vector<Array>& hash, vtkUnstructuredGrid& grid) {
+  const auto n_doubles = padding_for_meshio(lengths_in_file(packet, hash));
   if (!n_doubles) return;
   vtkNew<vtkDoubleArray> padding;
   padding->SetName(padding_name);
@@ -117,12 +118,15 @@ std::vector<std::int64_t> triangles_of(vtkUnstructuredGrid& grid, const path& fi
 
 void write_surface(const path& file, const SurfacePacket& packet) {
   check_triangles(packet, file);
+  check_names(packet.field_data, file);
+  const std::vector<Array> hash = {to_array(content_hash(packet))};
   vtkNew<vtkUnstructuredGrid> grid;
   set_points(packet, *grid);
   set_triangles(packet, *grid);
   add_arrays(packet.point_data, grid->GetNumberOfPoints(), *grid->GetPointData(), "point data", file);
   add_arrays(packet.cell_data, grid->GetNumberOfCells(), *grid->GetCellData(), "cell data", file);
-  add_padding(packet, *grid);
+  add_padding(packet, hash, *grid);
+  add_arrays(hash, any_size, *grid->GetFieldData(), "field data", file);
   add_arrays(packet.field_data, any_size, *grid->GetFieldData(), "field data", file);
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   write_with(*writer, *grid, file);
@@ -141,6 +145,7 @@ SurfacePacket read_surface(const path& file, bool convert) {
   packet.cell_data = take_arrays(*grid->GetCellData(), convert, "cell data", file);
   grid->GetFieldData()->RemoveArray(padding_name);
   packet.field_data = take_arrays(*grid->GetFieldData(), convert, "field data", file);
+  check_content(packet, file);
   return packet;
 }
 

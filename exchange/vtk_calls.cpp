@@ -4,7 +4,9 @@
 #include <fmt/ranges.h>
 #include <vtkCommand.h>
 #include <vtkDataCompressor.h>
+#include <vtkDataSet.h>
 #include <vtkExecutive.h>
+#include <vtkFieldData.h>
 #include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -136,7 +138,7 @@ void write_with(vtkXMLWriter& writer, vtkDataObject& data, const fs::path& file)
 
 void read_with(vtkXMLReader& reader, const fs::path& file, const std::string& type) {
   const WholeFile whole(file);
-  check_head(whole, type);
+  const int n_field_arrays = check_head(whole, type);
   VtkMessages messages;
   messages.listen_to(&reader);
   messages.listen_to(reader.GetExecutive());
@@ -153,6 +155,13 @@ void read_with(vtkXMLReader& reader, const fs::path& file, const std::string& ty
     throw FileError(fmt::format("{}: cannot be read: an array is too large for the memory", file.string()));
   }
   check_outcome(messages, reader.GetErrorCode(), file, "cannot be read");
+  const int n_read = reader.GetOutputAsDataSet()->GetFieldData()->GetNumberOfArrays();
+  if (n_read != n_field_arrays) {
+    throw FileError(
+        fmt::format("{}: cannot be read: its head tells of {} arrays of field data, of which {} are there "
+                    "as it says; write or copy it again",
+                    file.string(), n_field_arrays, n_read));
+  }
 }
 
 }  // namespace tanktread::exchange

@@ -17,22 +17,23 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Writes a packet as appended raw doubles, which keep every bit (NaN, inf and subnormals too). The file is
-/// written under a temporary name beside its place, brought to the disk, and renamed, so that a reader never
-/// sees half a file; if anything fails the old file stays and the temporary one goes. The packet is not
-/// copied.
+/// Writes a packet as appended raw doubles, which keep every bit (NaN, inf and subnormals too), with a hash
+/// of all of it in one more array of field data, `content_hash` (content_hash.hpp). The file is written under
+/// a temporary name beside its place, brought to the disk, and renamed, so that a reader never sees half a
+/// file; if anything fails the old file stays and the temporary one goes. The packet is not copied.
 /// @throws FileError if the file cannot be written or the packet is not what packet.hpp says: wrong number of
 /// values, node numbers that are not there, names that are empty, repeated or not printable ASCII without < >
-/// & "
+/// & ", or kept for what writing adds (field data `content_hash`, `padding_for_meshio`)
 void write_surface(const std::filesystem::path& file, const SurfacePacket& packet);
 void write_grid(const std::filesystem::path& file, const GridPacket& packet);
 
-/// Reads a packet back, the arrays in the order in which they were written. `convert` is for files made
-/// elsewhere: with it numbers of other types are widened to double and text is left out; without it both are
-/// errors.
-/// @throws FileError if the file is missing, cut off, damaged or of another kind; for a surface, cells that
-/// are not triangles; for a grid, axes that are turned or cell data; with `convert`, integers of 2^53 and
-/// more, which a double does not hold
+/// Reads a packet back, the arrays in the order in which they were written. If the file has a hash, its
+/// contents must be those that it was made of; one without, as other programs write, is taken as it is.
+/// `convert` is for files made elsewhere: with it numbers of other types are widened to double and text is
+/// left out; without it both are errors.
+/// @throws FileError if the file is missing, cut off, damaged (a single changed bit) or of another kind; for
+/// a surface, cells that are not triangles; for a grid, axes that are turned or cell data; with `convert`,
+/// integers of 2^53 and more, which a double does not hold
 SurfacePacket read_surface(const std::filesystem::path& file, bool convert = false);
 GridPacket read_grid(const std::filesystem::path& file, bool convert = false);
 

@@ -35,6 +35,7 @@ def check_file(file, folder):
     found |= {f"point_{name}": values for name, values in mesh.point_data.items()}
     found |= {f"cell_{name}": blocks[0] for name, blocks in mesh.cell_data.items()}
     found |= {f"field_{name}": values for name, values in mesh.field_data.items()}
+    require(found.pop("field_content_hash").shape == (2,), "the hash")
     found.pop("field_padding_for_meshio", None)
     names = {path.name for path in folder.iterdir()}
     require(set(found) == names, f"the list of arrays ({sorted(found)})")

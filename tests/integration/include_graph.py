@@ -24,6 +24,7 @@ LIBRARIES = (
     ("toml++", re.compile(r"toml\+\+/"), ("driver",)),
     ("CLI11", re.compile(r"CLI/"), ("driver",)),
     ("fmt", re.compile(r"fmt/"), ("exchange", "driver")),
+    ("xxHash", re.compile(r"xxhash\.h$"), ("exchange",)),
     ("OpenMP", re.compile(r"omp\.h$"), ("fluid", "membrane", "coupler", "driver")),
     ("POSIX", re.compile(r"(unistd|fcntl|poll|sys/\w+)\.h$"), ("exchange", "driver")),
 )

@@ -1,0 +1,131 @@
+#include "exchange/content_hash.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+#include <string_view>
+
+#define XXH_INLINE_ALL  // no library to link: whoever uses the installed component needs none either
+#include <xxhash.h>
+
+#include "exchange/meshio_padding.hpp"
+#include "exchange/vtk_files.hpp"
+
+namespace tanktread::exchange {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the hash is of little-endian numbers");
+
+class Hasher {
+ public:
+  Hasher() { XXH3_64bits_reset(&state_); }
+
+  void add(std::int64_t number) { add_bytes(&number, sizeof number); }
+
+  void add(std::string_view text) {
+    add(static_cast<std::int64_t>(text.size()));
+    add_bytes(text.data(), text.size());
+  }
+
+  template <class List>
+  void add_list(const List& numbers) {
+    const auto n_bytes = numbers.size() * sizeof numbers[0];
+    add(static_cast<std::int64_t>(n_bytes));
+    add_bytes(numbers.data(), n_bytes);
+  }
+
+  void add_arrays(std::string_view kind, const std::vector<Array>& arrays) {
+    add(kind);
+    add(static_cast<std::int64_t>(arrays.size()));
+    for (const auto& array : arrays) {
+      add(std::string_view(array.name));
+      add(std::int64_t{array.components});
+      add_list(array.values);
+    }
+  }
+
+  std::uint64_t result() const { return XXH3_64bits_digest(&state_); }
+
+ private:
+  void add_bytes(const void* first, std::size_t n_bytes) {
+    if (n_bytes > 0) XXH3_64bits_update(&state_, first, n_bytes);  // an empty list may lie nowhere
+  }
+
+  XXH3_state_t state_;
+};
+
+/// Takes the array that holds the hash out of the field data; none if there is none.
+std::optional<Array> take_hash(std::vector<Array>& field_data) {
+  const auto found = std::find_if(field_data.begin(), field_data.end(),
+                                  [](const Array& array) { return array.name == content_hash_name; });
+  if (found == field_data.end()) return std::nullopt;
+  auto array = std::move(*found);
+  field_data.erase(found);
+  return array;
+}
+
+template <class Packet>
+void check(Packet& packet, const std::filesystem::path& file) {
+  const auto stored = take_hash(packet.field_data);
+  if (stored && stored->values != to_array(content_hash(packet)).values) {
+    throw FileError(
+        fmt::format("{}: the contents are not those that were written: their hash is not the file's {}. The "
+                    "file is damaged: write or copy it again. If it was changed on purpose, remove the array "
+                    "{} from its field data",
+                    file.string(), content_hash_name, content_hash_name));
+  }
+}
+
+}  // namespace
+
+std::uint64_t content_hash(const SurfacePacket& packet) {
+  Hasher hasher;
+  hasher.add("points");
+  hasher.add_list(packet.points);
+  hasher.add("triangles");
+  hasher.add_list(packet.triangles);
+  hasher.add_arrays("point data", packet.point_data);
+  hasher.add_arrays("cell data", packet.cell_data);
+  hasher.add_arrays("field data", packet.field_data);
+  return hasher.result();
+}
+
+std::uint64_t content_hash(const GridPacket& packet) {
+  Hasher hasher;
+  hasher.add("grid");
+  for (const int n : packet.nodes) hasher.add(std::int64_t{n});
+  auto origin = packet.origin;
+  for (double& x : origin) x += 0.0;  // -0.0 becomes 0.0
+  hasher.add_list(origin);
+  hasher.add_list(packet.spacing);
+  hasher.add_arrays("point data", packet.point_data);
+  hasher.add_arrays("field data", packet.field_data);
+  return hasher.result();
+}
+
+Array to_array(std::uint64_t hash) {
+  return {content_hash_name, 1, {static_cast<double>(hash >> 32), static_cast<double>(hash & 0xffffffffU)}};
+}
+
+void check_content(SurfacePacket& packet, const std::filesystem::path& file) {
+  check(packet, file);
+}
+
+void check_content(GridPacket& packet, const std::filesystem::path& file) {
+  check(packet, file);
+}
+
+void check_names(const std::vector<Array>& field_data, const std::filesystem::path& file) {
+  for (const auto& array : field_data) {
+    if (array.name == content_hash_name || array.name == padding_name) {
+      throw FileError(
+          fmt::format("{}: cannot be written: the name '{}' is kept for an array that writing adds; give the "
+                      "field data array another name",
+                      file.string(), array.name));
+    }
+  }
+}
+
+}  // namespace tanktread::exchange
