@@ -17,8 +17,8 @@ void write_checkpoint(const System& system, const std::filesystem::path& directo
 /// The folders of all checkpoints in DIR, oldest first.
 std::vector<std::filesystem::path> checkpoint_folders(const std::filesystem::path& directory);
 
-/// Reads the last checkpoint of DIR. @throws InputError if there is none, or it is damaged (with the one before it
-/// named)
+/// Reads the last checkpoint of DIR. @throws InputError if there is none, or it is damaged (with the one
+/// before it named)
 SavedState read_last_checkpoint(const std::filesystem::path& directory);
 
 }  // namespace tanktread::driver

@@ -10,7 +10,7 @@
 
 namespace tanktread::driver {
 
-std::vector<Observation> observe(const System& system, const Case& the_case, const Parameters& parameters) {
+std::vector<Observation> observe(const System& system, const Case& the_case) {
   std::vector<Observation> observations;
   for (std::size_t k = 0; k < system.membranes.size(); ++k) {
     const auto& membrane = system.membranes[k];

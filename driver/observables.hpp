@@ -26,7 +26,7 @@ struct Observation {
 };
 
 /// Measures all capsules. The shear plane is that of flow and wall axis.
-std::vector<Observation> observe(const System& system, const Case& the_case, const Parameters& parameters);
+std::vector<Observation> observe(const System& system, const Case& the_case);
 
 /// First line of observables.csv.
 std::string observables_header();

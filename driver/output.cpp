@@ -58,7 +58,6 @@ void cut_series(const std::filesystem::path& series, std::int64_t step, const Sc
 
 Output::Output(const Case& the_case, const Parameters& parameters, std::filesystem::path directory)
     : case_(the_case),
-      parameters_(parameters),
       directory_(std::move(directory)),
       observables_(schedule_of(the_case.output.observables_every, parameters)),
       membrane_(schedule_of(the_case.output.membrane_every, parameters)),
@@ -83,7 +82,7 @@ std::vector<Observation> Output::write(const System& system, bool last) {
   if (fluid_.due(system.step) || (last && fluid_.interval > 0)) write_fluid(system);
   // The table last: a row of the end of the run says that all is there.
   if (!observables_.due(system.step) && !(last && observables_.interval > 0)) return {};
-  const auto observations = observe(system, case_, parameters_);
+  const auto observations = observe(system, case_);
   std::ofstream table(directory_ / "observables.csv", std::ios::app);
   for (const auto& observation : observations) table << observables_row(observation);
   if (!table.flush()) {
@@ -94,8 +93,9 @@ std::vector<Observation> Output::write(const System& system, bool last) {
 
 void Output::write_membrane(const System& system) {
   const auto file = numbered("membrane", system.step, "vtu");
-  exchange::write_surface(directory_ / file, membrane_file(system.membranes, system.node_velocity,
-                                                           system.node_force, system.step, system.shear_time()));
+  exchange::write_surface(
+      directory_ / file, membrane_file(system.membranes, system.node_velocity, system.node_force, system.step,
+                                       system.shear_time()));
   add_to_series(directory_ / "membrane.pvd", system.shear_time(), file);
 }
 

@@ -29,7 +29,6 @@ class Output {
   void write_fluid(const System& system);
 
   const Case& case_;
-  const Parameters& parameters_;
   std::filesystem::path directory_;
   Schedule observables_, membrane_, fluid_;
 };

@@ -69,7 +69,8 @@ Cost predict_cost(const Case& the_case, const Parameters& parameters,
     for (const auto& range : *the_case.output.fluid_box) fluid_output_nodes *= range[1] - range[0] + 1;
   }
   constexpr double fluid_record = 7 * 8, node_record = (3 + 9) * 8, triangle_record = (22 + 3 + 1) * 8 + 1;
-  // A checkpoint has the membrane's record, reference positions, and of a triangle its normal and viscous history.
+  // A checkpoint has the membrane's record, reference positions, and of a triangle its normal and viscous
+  // history.
   constexpr double observables_row_bytes = 300, n_checkpoints = 2;
   constexpr double checkpoint_node = node_record + 3 * 8, checkpoint_triangle = triangle_record + (3 + 9) * 8;
   cost.disk_bytes =

@@ -16,7 +16,8 @@ void add_spread_command(CLI::App& coupler, int& exit_code) {
   auto arguments = std::make_shared<Arguments>();
   arguments->the_case.add_to(*command);
   command->add_option("--in", arguments->stage.in, "Surface file with the array `total_force`")->required();
-  command->add_option("--out", arguments->stage.out, "Grid file to write (.vti), with the array `force`")->required();
+  command->add_option("--out", arguments->stage.out, "Grid file to write (.vti), with the array `force`")
+      ->required();
   command->callback([=, &exit_code] {
     arguments->stage.the_case = arguments->the_case.read();
     run_stage(arguments->stage);
@@ -34,7 +35,9 @@ void add_interpolate_command(CLI::App& coupler, int& exit_code) {
   arguments->the_case.add_to(*command);
   command->add_option("--in", arguments->stage.in, "Surface file with the nodes")->required();
   command->add_option("--grid", arguments->stage.grid, "Grid file with the array `velocity`")->required();
-  command->add_option("--out", arguments->stage.out, "Surface file to write (.vtu), with the array `velocity`")->required();
+  command
+      ->add_option("--out", arguments->stage.out, "Surface file to write (.vtu), with the array `velocity`")
+      ->required();
   command->callback([=, &exit_code] {
     arguments->stage.the_case = arguments->the_case.read();
     run_stage(arguments->stage);
@@ -45,7 +48,8 @@ void add_interpolate_command(CLI::App& coupler, int& exit_code) {
 }  // namespace
 
 void add_coupler_command(CLI::App& app, int& exit_code) {
-  auto* coupler = app.add_subcommand("coupler", "The immersed boundary by itself, from files to file (docs/components.md)");
+  auto* coupler = app.add_subcommand(
+      "coupler", "The immersed boundary by itself, from files to file (docs/components.md)");
   coupler->require_subcommand(1);
   add_spread_command(*coupler, exit_code);
   add_interpolate_command(*coupler, exit_code);

@@ -11,13 +11,19 @@ void add_fluid_command(CLI::App& app, int& exit_code) {
     CaseOptions the_case;
     FluidStage stage;
   };
-  auto* command = app.add_subcommand("fluid", "The flow solver by itself, from file to file (docs/components.md)");
+  auto* command =
+      app.add_subcommand("fluid", "The flow solver by itself, from file to file (docs/components.md)");
   auto arguments = std::make_shared<Arguments>();
   auto& stage = arguments->stage;
   arguments->the_case.add_to(*command);
-  command->add_option("--state", stage.state, "State to go on from (.vti): --out of this command, fluid.vti of a checkpoint (default: the start of the case)");
-  command->add_option("--force", stage.force, "Grid file with the array `force`, held through all steps (default: none)");
-  command->add_option("--steps", stage.n_steps, "Time steps to take")->check(CLI::NonNegativeNumber)->capture_default_str();
+  command->add_option("--state", stage.state,
+                      "State to go on from (.vti): --out of this command, fluid.vti of a checkpoint "
+                      "(default: the start of the case)");
+  command->add_option("--force", stage.force,
+                      "Grid file with the array `force`, held through all steps (default: none)");
+  command->add_option("--steps", stage.n_steps, "Time steps to take")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   command->add_option("--out", stage.out, "State to write (.vti)")->required();
   command->add_option("--fields", stage.fields, "Grid file to write too: density, velocity, force");
   command->callback([=, &exit_code] {

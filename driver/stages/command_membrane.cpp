@@ -21,12 +21,17 @@ void add_motion_options(CLI::App& command, Arguments& arguments) {
   auto& motion = arguments.motion;
   motion.shear_time = motion.twist_period = 1.0;
   motion.every = 0.05;
-  auto* name = command.add_option("--motion", arguments.motion_name, "A motion in place of --in: the .pvd of surfaces, or `twist`; --out is then a directory");
+  auto* name = command.add_option(
+      "--motion", arguments.motion_name,
+      "A motion in place of --in: the .pvd of surfaces, or `twist`; --out is then a directory");
   for (auto* option : {
            command.add_option("--amplitude-deg", arguments.amplitude_deg, "Of the twist: A0, degrees"),
-           command.add_option("--period", motion.twist_period, "Of the twist: T0, shear times")->check(CLI::PositiveNumber),
-           command.add_option("--every", motion.every, "Of the twist: shear times between files")->check(CLI::PositiveNumber),
-           command.add_option("--shear-time", motion.shear_time, "Of the twist: its end, shear times")->check(CLI::PositiveNumber),
+           command.add_option("--period", motion.twist_period, "Of the twist: T0, shear times")
+               ->check(CLI::PositiveNumber),
+           command.add_option("--every", motion.every, "Of the twist: shear times between files")
+               ->check(CLI::PositiveNumber),
+           command.add_option("--shear-time", motion.shear_time, "Of the twist: its end, shear times")
+               ->check(CLI::PositiveNumber),
        }) {
     option->needs(name)->capture_default_str();
   }
@@ -44,14 +49,24 @@ void run_motion(Arguments& arguments) {
 }  // namespace
 
 void add_membrane_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("membrane", "The membranes by themselves, from file to file (docs/components.md)");
+  auto* command =
+      app.add_subcommand("membrane", "The membranes by themselves, from file to file (docs/components.md)");
   auto arguments = std::make_shared<Arguments>();
   auto& stage = arguments->stage;
   arguments->the_case.add_to(*command);
-  auto* in = command->add_option("--in", stage.in, "Surface file with the positions (default: the case at rest, without a step)");
-  auto* move = command->add_flag("--move", stage.move, "First move the nodes by the array `velocity` of --in, for one time step")->needs(in);
-  auto* state = command->add_option("--state", stage.state, "History to go on from (.vtu): --out of this command, membrane.vtu of a checkpoint (default: none)")->needs(in);
-  command->add_option("--out", stage.out, "Surface file to write (.vtu): forces, strain, stress, new history")->required();
+  auto* in = command->add_option(
+      "--in", stage.in, "Surface file with the positions (default: the case at rest, without a step)");
+  auto* move = command
+                   ->add_flag("--move", stage.move,
+                              "First move the nodes by the array `velocity` of --in, for one time step")
+                   ->needs(in);
+  auto* state = command
+                    ->add_option("--state", stage.state,
+                                 "History to go on from (.vtu): --out of this command, membrane.vtu of a "
+                                 "checkpoint (default: none)")
+                    ->needs(in);
+  command->add_option("--out", stage.out, "Surface file to write (.vtu): forces, strain, stress, new history")
+      ->required();
   add_motion_options(*command, *arguments);
   command->get_option("--motion")->excludes(in)->excludes(move)->excludes(state);
   command->callback([=, &exit_code] {

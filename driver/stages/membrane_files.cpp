@@ -72,7 +72,8 @@ void add_state(exchange::SurfacePacket& file, const std::vector<membrane::Membra
   }
 }
 
-std::vector<double> history_of(const exchange::SurfacePacket& file, std::size_t capsule, const std::string& name) {
+std::vector<double> history_of(const exchange::SurfacePacket& file, std::size_t capsule,
+                               const std::string& name) {
   return exchange::find_array(file.field_data, history_name(capsule), name).values;
 }
 
@@ -83,8 +84,8 @@ void restore_histories(std::vector<membrane::Membrane>& membranes, const exchang
     try {
       membranes[k].restore_history(history_of(file, k, name));
     } catch (const std::invalid_argument& error) {
-      throw exchange::FileError(
-          fmt::format("{}: {} does not fit the case's membrane {}: {}", name, history_name(k), k, error.what()));
+      throw exchange::FileError(fmt::format("{}: {} does not fit the case's membrane {}: {}", name,
+                                            history_name(k), k, error.what()));
     }
   }
 }

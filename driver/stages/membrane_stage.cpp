@@ -34,7 +34,8 @@ Input read_input(const MembraneStage& stage, const std::vector<membrane::Membran
   if (stage.move || has_array(file.point_data, "velocity")) {
     input.velocity = vectors_of(file, "velocity", surfaces, name);
   } else {
-    for (const auto& positions : surfaces.positions) input.velocity.emplace_back(Eigen::Matrix3Xd::Zero(3, positions.cols()));
+    for (const auto& positions : surfaces.positions)
+      input.velocity.emplace_back(Eigen::Matrix3Xd::Zero(3, positions.cols()));
   }
   input.positions = std::move(surfaces.positions);
   if (stage.move) {

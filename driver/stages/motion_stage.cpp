@@ -16,14 +16,16 @@
 namespace tanktread::driver {
 namespace {
 
-/// A motion as a function of the time step, and the steps at which its results are written, ascending, from 0.
+/// A motion as a function of the time step, and the steps at which its results are written, ascending, from
+/// 0.
 struct Motion {
   std::function<NodeVectors(std::int64_t)> positions;
   std::vector<std::int64_t> written;
 };
 
 /// Every capsule twisted to and fro about the z axis through its place.
-Motion twist(const MotionStage& stage, const Parameters& numbers, const std::vector<membrane::TriangleMesh>& meshes) {
+Motion twist(const MotionStage& stage, const Parameters& numbers,
+             const std::vector<membrane::TriangleMesh>& meshes) {
   std::vector<TwistingSphere> spheres;
   for (const auto& capsule : stage.the_case.capsules) {
     TwistingSphere sphere;
@@ -48,9 +50,11 @@ Motion twist(const MotionStage& stage, const Parameters& numbers, const std::vec
 }
 
 /// The surfaces of a .pvd, each at its time, counted from that of the first.
-Motion series(const MotionStage& stage, const Parameters& numbers, const std::vector<membrane::Membrane>& membranes) {
+Motion series(const MotionStage& stage, const Parameters& numbers,
+              const std::vector<membrane::Membrane>& membranes) {
   const auto entries = exchange::read_series(stage.series);
-  if (entries.empty()) throw InputError(stage.series.string() + ": holds no file; a motion needs at least one");
+  if (entries.empty())
+    throw InputError(stage.series.string() + ": holds no file; a motion needs at least one");
   std::vector<NodeVectors> frames;
   Motion motion;
   for (const auto& entry : entries) {
@@ -59,9 +63,10 @@ Motion series(const MotionStage& stage, const Parameters& numbers, const std::ve
     check_surfaces(surfaces, membranes, file.string());
     const auto step = steps_of(entry.time - entries.front().time, numbers);
     if (!motion.written.empty() && step <= motion.written.back()) {
-      throw InputError(fmt::format("{}: {} is at shear time {}, less than a time step after the file before it; a motion "
-                                   "goes forward",
-                                   stage.series.string(), entry.file, entry.time));
+      throw InputError(
+          fmt::format("{}: {} is at shear time {}, less than a time step after the file before it; a motion "
+                      "goes forward",
+                      stage.series.string(), entry.file, entry.time));
     }
     motion.written.push_back(step);
     frames.push_back(std::move(surfaces.positions));
@@ -69,7 +74,8 @@ Motion series(const MotionStage& stage, const Parameters& numbers, const std::ve
   motion.positions = [frames, steps = motion.written](std::int64_t step) {
     const auto next = static_cast<std::size_t>(std::ranges::lower_bound(steps, step) - steps.begin());
     if (steps[next] == step) return frames[next];
-    const double part = static_cast<double>(step - steps[next - 1]) / static_cast<double>(steps[next] - steps[next - 1]);
+    const double part =
+        static_cast<double>(step - steps[next - 1]) / static_cast<double>(steps[next] - steps[next - 1]);
     NodeVectors positions;
     for (std::size_t k = 0; k < frames[next].size(); ++k) {
       positions.emplace_back(frames[next - 1][k] + part * (frames[next][k] - frames[next - 1][k]));
@@ -113,8 +119,10 @@ void run(const MotionStage& stage) {
   const auto numbers = parameters(stage.the_case);
   const auto meshes = reference_meshes(stage.the_case);
   auto membranes = make_membranes(stage.the_case, numbers, meshes);
-  const auto motion = stage.series.empty() ? twist(stage, numbers, meshes) : series(stage, numbers, membranes);
-  if (std::filesystem::exists(stage.out) && !(std::filesystem::is_directory(stage.out) && std::filesystem::is_empty(stage.out))) {
+  const auto motion =
+      stage.series.empty() ? twist(stage, numbers, meshes) : series(stage, numbers, membranes);
+  if (std::filesystem::exists(stage.out) &&
+      !(std::filesystem::is_directory(stage.out) && std::filesystem::is_empty(stage.out))) {
     throw InputError(stage.out.string() + ": is there already; --out must name a new or empty directory");
   }
   follow(motion, membranes, numbers, stage.out);

@@ -14,8 +14,8 @@
 
 namespace tanktread::driver {
 
-/// Calls a stage. @throws InputError in place of a FileError (the files are the user's); RunError in place of what the
-/// components throw
+/// Calls a stage. @throws InputError in place of a FileError (the files are the user's); RunError in place of
+/// what the components throw
 template <class Stage>
 void with_stage_errors(Stage stage) {
   try {

@@ -1,4 +1,5 @@
-// The stages: one component at work by itself, from files to files. What they read and write: docs/components.md.
+// The stages: one component at work by itself, from files to files. What they read and write:
+// docs/components.md.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +19,8 @@ struct MembraneStage {
   std::filesystem::path state;  ///< an output of this stage, or a checkpoint's folder; "": no history
   std::filesystem::path out;    ///< the surface file to write
 };
-/// @throws InputError for files that do not fit the case; RunError if a node moves too far or an element turns over
+/// @throws InputError for files that do not fit the case; RunError if a node moves too far or an element
+/// turns over
 void run_stage(const MembraneStage& stage);
 
 /// `tanktread membrane --motion`: the membrane under a motion that is given, time step by time step.
@@ -28,8 +30,8 @@ struct MotionStage {
   double twist_amplitude = 0;    ///< A0 of TwistingSphere, radians
   double twist_period = 1;       ///< shear times
   double shear_time = 1;         ///< of the twist: its end; a series ends at its last file
-  double every = 0.05;           ///< of the twist: shear times between files; a series has files at its own times
-  std::filesystem::path out;     ///< a directory: membrane.pvd and membrane/membrane_STEP.vtu
+  double every = 0.05;  ///< of the twist: shear times between files; a series has files at its own times
+  std::filesystem::path out;  ///< a directory: membrane.pvd and membrane/membrane_STEP.vtu
 };
 /// @throws as above
 void run_stage(const MotionStage& stage);
@@ -54,8 +56,9 @@ void run_stage(const InterpolateStage& stage);
 /// `tanktread fluid`: some steps of the flow solver.
 struct FluidStage {
   Case the_case;
-  std::filesystem::path state;   ///< an output of this stage, or a checkpoint's fluid.vti; "": the start of the case
-  std::filesystem::path force;   ///< a grid file with point data force, held through all steps; "": none
+  std::filesystem::path
+      state;  ///< an output of this stage, or a checkpoint's fluid.vti; "": the start of the case
+  std::filesystem::path force;  ///< a grid file with point data force, held through all steps; "": none
   std::int64_t n_steps = 1;
   std::filesystem::path out;     ///< the state to write
   std::filesystem::path fields;  ///< a grid file with density, velocity, force to write too; "": none

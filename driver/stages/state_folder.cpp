@@ -54,8 +54,8 @@ SavedState read_state(const std::filesystem::path& folder) {
 
 void restore(System& system, const SavedState& state) {
   if (state.positions.size() != system.membranes.size()) {
-    throw InputError(fmt::format("{}: {} capsules, the case has {}", state.folder.string(), state.positions.size(),
-                                 system.membranes.size()));
+    throw InputError(fmt::format("{}: {} capsules, the case has {}", state.folder.string(),
+                                 state.positions.size(), system.membranes.size()));
   }
   system.step = state.step;
   system.node_velocity = state.node_velocity;

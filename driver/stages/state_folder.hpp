@@ -9,8 +9,8 @@
 
 namespace tanktread::driver {
 
-/// The files in such a folder: the solver's arrays (state_file), and all membranes with what they need to go on
-/// (membrane_file, add_state).
+/// The files in such a folder: the solver's arrays (state_file), and all membranes with what they need to go
+/// on (membrane_file, add_state).
 inline constexpr const char* fluid_state_file = "fluid.vti";
 inline constexpr const char* membrane_state_file = "membrane.vtu";
 

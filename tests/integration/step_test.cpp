@@ -68,7 +68,7 @@ TEST(Step, KeepsTheVolumeOfEachCapsule) {
   const auto c = parse();
   auto system = make(c);
   for (int k = 0; k < 200; ++k) advance(system);
-  for (const auto& row : observe(system, c, parameters(c))) {
+  for (const auto& row : observe(system, c)) {
     EXPECT_NEAR(row.volume_ratio, 1.0, 2e-3);  // the bar of the project over ten shear times
     EXPECT_GT(row.deformation, 0.01);
   }
@@ -81,7 +81,7 @@ TEST(Step, DropletAtRestStaysAtRest) {
   auto system = make(c);
   for (int k = 0; k < 100; ++k) advance(system);
   const auto p = parameters(c);
-  const auto rows = observe(system, c, p);
+  const auto rows = observe(system, c);
   // gamma/(rho nu) is the speed of capillary relaxation; the parasitic currents of this resolution stay far
   // below it.
   const double capillary_speed = p.capsules[0].interfacial_tension / p.kinematic_viscosity;
