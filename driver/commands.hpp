@@ -11,6 +11,7 @@ void add_plan_command(CLI::App& app, int& exit_code);
 void add_membrane_command(CLI::App& app, int& exit_code);
 void add_coupler_command(CLI::App& app, int& exit_code);
 void add_fluid_command(CLI::App& app, int& exit_code);
+void add_replay_command(CLI::App& app, int& exit_code);
 void add_mesh_command(CLI::App& app, int& exit_code);
 void add_study_command(CLI::App& app, int& exit_code);
 

@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
   tanktread::driver::add_membrane_command(app, exit_code);
   tanktread::driver::add_coupler_command(app, exit_code);
   tanktread::driver::add_fluid_command(app, exit_code);
+  tanktread::driver::add_replay_command(app, exit_code);
   tanktread::driver::add_mesh_command(app, exit_code);
   tanktread::driver::add_study_command(app, exit_code);
   try {

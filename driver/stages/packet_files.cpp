@@ -157,7 +157,7 @@ exchange::GridPacket grid_file(const GridVectors& vectors, const std::string& ar
                                std::int64_t step) {
   const std::size_t n_nodes = std::size_t(box[0]) * std::size_t(box[1]) * std::size_t(box[2]);
   Array values{array, 3, std::vector<double>(3 * n_nodes)},
-      touched{"touched", 1, std::vector<double>(n_nodes)};
+      touched{touched_array, 1, std::vector<double>(n_nodes)};
   for (std::size_t k = 0; k < vectors.nodes.size(); ++k) {
     const auto node = static_cast<std::size_t>(vectors.nodes[k]);
     std::copy_n(&vectors.values[3 * k], 3, &values.values[3 * node]);
@@ -175,7 +175,7 @@ GridVectors grid_vectors_of(const exchange::GridPacket& file, const std::string&
   check_schema_version(file.field_data, name);
   check_grid(file, box, name);
   const auto& found = vector_array(file.point_data, array, name);
-  const auto* touched = optional_array(file.point_data, "touched");
+  const auto* touched = optional_array(file.point_data, touched_array);
   GridVectors vectors;
   if (touched == nullptr) {
     vectors.nodes.resize(found.values.size() / 3);

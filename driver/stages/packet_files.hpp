@@ -38,6 +38,9 @@ NodeVectors vectors_of(const exchange::SurfacePacket& file, const std::string& a
 /// @throws exchange::FileError unless there are as many capsules as in `like`, of as many nodes each
 void check_sizes(const NodeVectors& vectors, const NodeVectors& like, const std::string& name);
 
+/// Point data of a grid that says where the vectors of a packet are: 1 there, else 0.
+inline constexpr const char* touched_array = "touched";
+
 /// Vectors on some nodes as an array on the whole grid, zero elsewhere; point data `touched` says 1 where the
 /// vectors are.
 exchange::GridPacket grid_file(const GridVectors& vectors, const std::string& array, const Box& box,

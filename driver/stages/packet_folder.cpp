@@ -30,7 +30,13 @@ std::filesystem::path packet_path(const std::filesystem::path& directory, Packet
 
 void write_packet(const std::filesystem::path& file, const System& system, Packet packet,
                   const GridVectors& vectors) {
-  exchange::write_grid(file, grid_file(vectors, array_of(packet), box_of(system), system.step + 1));
+  auto content = grid_file(vectors, array_of(packet), box_of(system), system.step + 1);
+  if (packet == Packet::grid_velocity) {
+    std::vector<double> density(static_cast<std::size_t>(system.fluid->shape().size()));
+    // The same numbers on the nodes that are touched: both come from the same populations and forces.
+    system.fluid->moments(density, content.point_data[0].values);
+  }
+  exchange::write_grid(file, content);
 }
 
 void write_packet(const std::filesystem::path& file, const System& system, Packet packet,

@@ -1,0 +1,147 @@
+#include "driver/stages/replay_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "driver/case.hpp"
+#include "driver/stages/fluid_files.hpp"
+#include "driver/stages/packet_folder.hpp"
+#include "exchange/vtk_files.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+using exchange::Array;
+using exchange::GridPacket;
+using exchange::SurfacePacket;
+
+/// The point-data array that a packet's file is compared by; "" for the points themselves.
+const Array* compared_array(const std::vector<Array>& arrays, const std::string& name) {
+  const auto found = std::ranges::find(arrays, name, &Array::name);
+  return found == arrays.end() ? nullptr : &*found;
+}
+
+/// Positions have no array of their own: as one, for the field of the difference.
+Array points_array(const SurfacePacket& file) {
+  return {"position", 3, file.points};
+}
+
+const Array& values_of(const SurfacePacket& file, const std::string& array, Array& points) {
+  if (!array.empty()) return *compared_array(file.point_data, array);
+  points = points_array(file);
+  return points;
+}
+
+const Array& values_of(const GridPacket& file, const std::string& array, Array&) {
+  return *compared_array(file.point_data, array);
+}
+
+void write(const std::filesystem::path& file, const SurfacePacket& content) {
+  exchange::write_surface(file, content);
+}
+void write(const std::filesystem::path& file, const GridPacket& content) {
+  exchange::write_grid(file, content);
+}
+
+/// Leaves of the recorded end only what the component gave, and of that what was recorded.
+void keep_common(std::vector<Array>& recorded, const std::vector<Array>& given) {
+  std::erase_if(recorded, [&](const Array& array) { return compared_array(given, array.name) == nullptr; });
+}
+
+}  // namespace
+
+ReplayRecord::ReplayRecord(const ReplayOptions& options) : directory_(options.record), out_(options.out) {
+  for (const char* part : {"echo.toml", "begin", "end"}) {
+    if (!std::filesystem::exists(directory_ / part)) {
+      throw InputError(
+          fmt::format("{}: holds no {}: not a complete record; make one with tanktread run --record {}",
+                      directory_.string(), part, directory_.string()));
+    }
+  }
+  if (!out_.empty() && std::filesystem::exists(out_) && !std::filesystem::is_empty(out_)) {
+    throw InputError(out_.string() + ": holds something already; give a new directory");
+  }
+  begin_ = read_state(directory_ / "begin");
+  box_ = read_case(directory_ / "echo.toml").flow.box;
+  const auto end = directory_ / "end" / membrane_state_file;
+  last_step_ = step_of(exchange::read_surface(end).field_data, end.string());
+}
+
+NodeVectors ReplayRecord::nodes(Packet packet, std::int64_t step) const {
+  return read_node_packet(packet_path(directory_, packet, step), packet, begin_.positions, step);
+}
+
+GridVectors ReplayRecord::grid(Packet packet, std::int64_t step, bool everywhere) const {
+  const auto file = packet_path(directory_, packet, step);
+  if (!everywhere) return read_grid_packet(file, packet, box_, step);
+  auto content = exchange::read_grid(file);
+  std::erase_if(content.point_data, [](const Array& array) { return array.name == touched_array; });
+  return grid_vectors_of(content, array_of(packet), box_, file.string());
+}
+
+template <class File>
+void ReplayRecord::add(std::int64_t step, const std::string& packet, const std::filesystem::path& file,
+                       const File& recorded, const File& given) {
+  for (auto& difference : exchange::differences(recorded, given)) {
+    differences_.push_back({step, packet, file, std::move(difference)});
+  }
+}
+
+template <class File>
+void ReplayRecord::write_field(Packet packet, std::int64_t step, File recorded, const File& given,
+                               const std::string& array) {
+  if (out_.empty()) return;
+  Array recorded_points, given_points;
+  const auto& before = values_of(recorded, array, recorded_points);
+  const auto& now = values_of(given, array, given_points);
+  Array replayed{"replayed_" + now.name, 3, now.values}, difference{"difference_" + now.name, 3, now.values};
+  for (std::size_t k = 0; k < now.values.size(); ++k) difference.values[k] -= before.values[k];
+  recorded.point_data.push_back(std::move(replayed));
+  recorded.point_data.push_back(std::move(difference));
+  const auto file = packet_path(out_, packet, step);
+  std::filesystem::create_directories(file.parent_path());
+  write(file, recorded);
+  const auto series = out_ / (name_of(packet) + ".pvd");
+  auto entries =
+      std::filesystem::exists(series) ? exchange::read_series(series) : std::vector<exchange::SeriesEntry>();
+  entries.push_back({static_cast<double>(step), file.lexically_relative(out_).string()});
+  exchange::write_series(series, entries);
+}
+
+void ReplayRecord::compare(Packet packet, std::int64_t step, const NodeVectors& given) {
+  const auto file = packet_path(directory_, packet, step);
+  const auto recorded = exchange::read_surface(file);
+  auto surfaces = surfaces_of(recorded, file.string());
+  if (packet == Packet::positions) surfaces.positions = given;
+  auto now = surface_file(surfaces, step);
+  if (packet != Packet::positions) add_vectors(now, array_of(packet), given);
+  add(step, name_of(packet), file, recorded, now);
+  write_field(packet, step, recorded, now, array_of(packet));
+}
+
+void ReplayRecord::compare(Packet packet, std::int64_t step, const GridVectors& given) {
+  const auto file = packet_path(directory_, packet, step);
+  const auto recorded = exchange::read_grid(file);
+  auto now = grid_file(given, array_of(packet), box_, step);
+  if (packet == Packet::grid_velocity)
+    now.point_data.back() = *compared_array(recorded.point_data, touched_array);
+  add(step, name_of(packet), file, recorded, now);
+  write_field(packet, step, recorded, now, array_of(packet));
+}
+
+void ReplayRecord::compare_end(const SurfacePacket& given) {
+  const auto file = directory_ / "end" / membrane_state_file;
+  auto recorded = exchange::read_surface(file);
+  keep_common(recorded.point_data, given.point_data);
+  keep_common(recorded.cell_data, given.cell_data);
+  keep_common(recorded.field_data, given.field_data);
+  add(last_step_, "end", file, recorded, given);
+}
+
+void ReplayRecord::compare_end(const GridPacket& given) {
+  const auto file = directory_ / "end" / fluid_state_file;
+  add(last_step_, "end", file, exchange::read_grid(file), given);
+}
+
+}  // namespace tanktread::driver
