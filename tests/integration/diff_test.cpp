@@ -155,6 +155,7 @@ TEST_F(Diff, FindsColumnsByName) {
   EXPECT_THAT(ended.output, AllOf(HasSubstr("column b: only in the first\n"),
                                   HasSubstr("column c: only in the second\n"), HasSubstr("2 of 3 arrays")));
   EXPECT_EQ(diff_tables("a,a\n1,2\n", "a,a\n1,3\n").exit_code, 1) << "two of one name";
+  EXPECT_EQ(diff_tables("a,a\n1,2\n", "a,a\n1,2\n").exit_code, 0) << "two of one name";
 }
 
 TEST_F(Diff, SeesRowsCellsAndCommentsThatAreMissing) {

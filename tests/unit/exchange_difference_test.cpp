@@ -148,6 +148,8 @@ TEST(Difference, KnowsNanByItsBits) {
 TEST(Difference, MeasuresInfinities) {
   const double inf = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(of_values({inf, -inf}, {inf, -inf}).identical());
+  // What is the same in both does not hide how large the other differences are: the root of 8^2/4 is 4.
+  EXPECT_EQ(of_values({inf, 0, 0, 8}, {inf, 0, 0, 0}).rms, 4);
   EXPECT_EQ(of_values({inf, 1}, {1, 1}).max, inf);
   EXPECT_EQ(of_values({inf, 1}, {1, 1}).rms, inf);
   EXPECT_EQ(of_values({inf, 1}, {-inf, 1}).max, inf);
