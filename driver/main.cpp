@@ -1,5 +1,5 @@
-// tanktread: capsules and red blood cells in flow. Exit codes: 0 done, 2 bad input, 3 a run went wrong,
-// 130/143 signal.
+// tanktread: capsules and red blood cells in flow. Exit codes: 0 done, 1 diff found a difference, 2 bad
+// input, 3 a run went wrong, 130/143 signal.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
   tanktread::driver::add_replay_command(app, exit_code);
   tanktread::driver::add_mesh_command(app, exit_code);
   tanktread::driver::add_study_command(app, exit_code);
+  tanktread::driver::add_diff_command(app, exit_code);
   try {
     app.parse(argc, argv);
     return exit_code;

@@ -2,6 +2,10 @@
 tanktread_test(run_test SOURCES integration/run_test.cpp integration/program.cpp LIBRARIES)
 target_compile_definitions(run_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
 add_dependencies(run_test tanktread)
+tanktread_test(diff_test SOURCES integration/diff_test.cpp integration/diff_directory_test.cpp integration/program.cpp
+  LIBRARIES tanktread::exchange)
+target_compile_definitions(diff_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
+add_dependencies(diff_test tanktread)
 tanktread_test(driver_test SOURCES unit/case_schema_test.cpp unit/case_errors_test.cpp
   unit/case_geometry_test.cpp unit/case_set_test.cpp unit/case_round_trip_test.cpp unit/case_warnings_test.cpp
   unit/units_parameters_test.cpp unit/units_si_test.cpp unit/echo_text_test.cpp

@@ -7,6 +7,7 @@ tanktread_test(exchange_packet_test SOURCES unit/exchange_packet_test.cpp LIBRAR
 tanktread_test(exchange_series_test SOURCES unit/exchange_series_test.cpp LIBRARIES exchange_samples)
 tanktread_test(exchange_reading_test SOURCES unit/exchange_reading_test.cpp LIBRARIES exchange_samples)
 tanktread_test(exchange_hash_test SOURCES unit/exchange_hash_test.cpp LIBRARIES exchange_samples)
+tanktread_test(exchange_difference_test SOURCES unit/exchange_difference_test.cpp LIBRARIES exchange_samples)
 tanktread_test(exchange_atomic_test SOURCES unit/exchange_atomic_test.cpp LIBRARIES exchange_samples)
 tanktread_test(exchange_polling_test SOURCES integration/exchange_polling_test.cpp LIBRARIES exchange_samples)
 
