@@ -116,6 +116,27 @@ void check_array_types(vtkXMLDataElement& element, const std::filesystem::path& 
     check_array_types(*element.GetNestedElement(k), file);
 }
 
+void check_digits(vtkXMLDataElement& element, const std::filesystem::path& file) {
+  if (std::string_view(element.GetName()) == "DataArray") {
+    const char* name = element.GetAttribute("Name");
+    const auto array = fmt::format("array '{}'", name != nullptr ? name : "");
+    if (has(element, "type", "Float32")) {
+      throw FileError(fmt::format(
+          "{}: {} is of single precision (Float32), which has lost half of its digits; write it as "
+          "Float64, in numpy float64",
+          file.string(), array));
+    }
+    if (has(element, "type", "Float64") && has(element, "format", "ascii")) {
+      throw FileError(
+          fmt::format("{}: {} is written as text (ASCII), which loses digits; write it as binary or "
+                      "appended data",
+                      file.string(), array));
+    }
+  }
+  for (int k = 0; k < element.GetNumberOfNestedElements(); ++k)
+    check_digits(*element.GetNestedElement(k), file);
+}
+
 int n_field_arrays(vtkXMLDataElement& root, const std::string& type) {
   auto* data_set = root.FindNestedElementWithName(type.c_str());
   auto* field_data = data_set != nullptr ? data_set->FindNestedElementWithName("FieldData") : nullptr;
@@ -133,12 +154,13 @@ void parse_head(vtkXMLDataParser& parser, std::istream& stream, const std::files
   }
 }
 
-int check_head(const WholeFile& file, const std::string& type) {
+int check_head(const WholeFile& file, const std::string& type, bool exact) {
   std::ifstream stream(file.content(), std::ios::binary);
   vtkNew<vtkXMLDataParser> parser;
   parse_head(*parser, stream, file.name());
   check_type(*parser->GetRootElement(), type, file.name());
   check_array_types(*parser->GetRootElement(), file.name());
+  if (exact) check_digits(*parser->GetRootElement(), file.name());
   stream.clear();
   check_appended_layout(*parser, stream, file.name());
   return n_field_arrays(*parser->GetRootElement(), type);

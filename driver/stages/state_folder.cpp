@@ -20,7 +20,7 @@ void read_membranes(const std::filesystem::path& file, SavedState& state) {
   const auto references = vectors_of(content, "reference_position", surfaces, name);
   for (std::size_t k = 0; k < references.size(); ++k) {
     state.references.push_back({references[k], surfaces.triangles[k]});
-    state.histories.push_back(history_of(content, k, name));
+    state.membranes.push_back(membrane_state_of(content, k, name));
   }
   state.node_velocity = vectors_of(content, "velocity", surfaces, name);
   state.node_force = vectors_of(content, "total_force", surfaces, name);
@@ -64,7 +64,7 @@ void restore(System& system, const SavedState& state) {
     system.fluid->restore(state.fluid);
     for (std::size_t k = 0; k < system.membranes.size(); ++k) {
       system.membranes[k].set_positions(state.positions[k]);
-      system.membranes[k].restore_history(state.histories[k]);
+      system.membranes[k].restore(state.membranes[k]);
     }
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("{}: does not fit the case: {}", state.folder.string(), error.what()));

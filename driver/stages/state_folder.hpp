@@ -23,7 +23,7 @@ struct SavedState {
   std::int64_t step = 0;
   std::vector<membrane::TriangleMesh> references;  ///< the stress-free mesh of each capsule
   NodeVectors positions, node_velocity, node_force;
-  std::vector<std::vector<double>> histories;
+  std::vector<MembraneState> membranes;
   fluid::State fluid;
 };
 
