@@ -224,7 +224,7 @@ std::vector<Key> membrane_keys(const std::string& prefix) {
           .required()
           .unless(refuse_beside_si),
       key<InMembrane<&M::capillary_modulus>>(prefix + "capillary_modulus", "",
-                                             "the modulus in Ca: E_s (skalak only), G_s (all with shear "
+                                             "the modulus in Ca: E_s = 2 G_s or G_s (all with shear "
                                              "elasticity), gamma (interfacial-tension)")
           .one_of({"E_s", "G_s", "gamma"})
           .preset("by the law")

@@ -116,6 +116,18 @@ void check_array_types(vtkXMLDataElement& element, const std::filesystem::path& 
     check_array_types(*element.GetNestedElement(k), file);
 }
 
+void refuse_text_numbers(vtkXMLDataElement& element, const std::filesystem::path& file) {
+  if (std::string_view(element.GetName()) == "DataArray" && has(element, "format", "ascii")) {
+    const char* array = element.GetAttribute("Name");
+    throw FileError(
+        fmt::format("{}: array '{}' is written as ASCII, which need not keep every bit; write it as binary "
+                    "or appended data",
+                    file.string(), array != nullptr ? array : ""));
+  }
+  for (int k = 0; k < element.GetNumberOfNestedElements(); ++k)
+    refuse_text_numbers(*element.GetNestedElement(k), file);
+}
+
 int n_field_arrays(vtkXMLDataElement& root, const std::string& type) {
   auto* data_set = root.FindNestedElementWithName(type.c_str());
   auto* field_data = data_set != nullptr ? data_set->FindNestedElementWithName("FieldData") : nullptr;
@@ -133,12 +145,13 @@ void parse_head(vtkXMLDataParser& parser, std::istream& stream, const std::files
   }
 }
 
-int check_head(const WholeFile& file, const std::string& type) {
+int check_head(const WholeFile& file, const std::string& type, bool exact) {
   std::ifstream stream(file.content(), std::ios::binary);
   vtkNew<vtkXMLDataParser> parser;
   parse_head(*parser, stream, file.name());
   check_type(*parser->GetRootElement(), type, file.name());
   check_array_types(*parser->GetRootElement(), file.name());
+  if (exact) refuse_text_numbers(*parser->GetRootElement(), file.name());
   stream.clear();
   check_appended_layout(*parser, stream, file.name());
   return n_field_arrays(*parser->GetRootElement(), type);

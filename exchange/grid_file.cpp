@@ -75,7 +75,7 @@ void write_grid(const path& file, const GridPacket& packet) {
 
 GridPacket read_grid(const path& file, bool convert) {
   vtkNew<vtkXMLImageDataReader> reader;
-  read_with(*reader, file, "ImageData");
+  read_with(*reader, file, "ImageData", !convert);
   auto* image = reader->GetOutput();
   check_frame(*image, file);
   GridPacket packet;

@@ -134,7 +134,7 @@ void write_surface(const path& file, const SurfacePacket& packet) {
 
 SurfacePacket read_surface(const path& file, bool convert) {
   vtkNew<vtkXMLUnstructuredGridReader> reader;
-  read_with(*reader, file, "UnstructuredGrid");
+  read_with(*reader, file, "UnstructuredGrid", !convert);
   auto* grid = reader->GetOutput();
   SurfacePacket packet;
   packet.triangles = triangles_of(*grid, file);

@@ -136,9 +136,9 @@ void write_with(vtkXMLWriter& writer, vtkDataObject& data, const fs::path& file)
   atomic.commit();
 }
 
-void read_with(vtkXMLReader& reader, const fs::path& file, const std::string& type) {
+void read_with(vtkXMLReader& reader, const fs::path& file, const std::string& type, bool exact) {
   const WholeFile whole(file);
-  const int n_field_arrays = check_head(whole, type);
+  const int n_field_arrays = check_head(whole, type, exact);
   VtkMessages messages;
   messages.listen_to(&reader);
   messages.listen_to(reader.GetExecutive());

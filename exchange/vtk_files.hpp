@@ -30,7 +30,7 @@ void write_grid(const std::filesystem::path& file, const GridPacket& packet);
 /// Reads a packet back, the arrays in the order in which they were written. If the file has a hash, its
 /// contents must be those that it was made of; one without, as other programs write, is taken as it is.
 /// `convert` is for files made elsewhere: with it numbers of other types are widened to double and text is
-/// left out; without it both are errors.
+/// left out; without it both are errors, and so are numbers written as ASCII, which need not keep every bit.
 /// @throws FileError if the file is missing, cut off, damaged (a single changed bit) or of another kind; for
 /// a surface, cells that are not triangles; for a grid, axes that are turned or cell data; with `convert`,
 /// integers of 2^53 and more, which a double does not hold

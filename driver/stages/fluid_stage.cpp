@@ -29,7 +29,7 @@ void restore(fluid::Fluid& fluid, const std::filesystem::path& file) {
 void take_steps(fluid::Fluid& fluid, const FluidStage& stage) {
   GridVectors force;
   if (!stage.force.empty()) {
-    force = grid_vectors_of(exchange::read_grid(stage.force, true), "force", stage.the_case.flow.box,
+    force = grid_vectors_of(exchange::read_grid(stage.force), "force", stage.the_case.flow.box,
                             stage.force.string());
   }
   for (std::int64_t k = 0; k < stage.n_steps; ++k) advance_fluid(fluid, force);

@@ -26,7 +26,7 @@ struct Input {
 
 Input read_input(const MembraneStage& stage, const std::vector<membrane::Membrane>& membranes) {
   const auto name = stage.in.string();
-  const auto file = exchange::read_surface(stage.in, true);
+  const auto file = exchange::read_surface(stage.in);
   auto surfaces = surfaces_of(file, name);
   check_surfaces(surfaces, membranes, name);
   Input input;
