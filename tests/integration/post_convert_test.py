@@ -184,6 +184,11 @@ class Refusals(Surfaces):
     def test_open(self):
         self.refused(["open: 3 edges with one triangle", "node 0 at (1, 0, 0) to node 2 at (0, 1, 0) (face 3)"], self.points, self.triangles[1:])
 
+    def test_numbers_are_those_of_the_file(self):
+        # Before the octahedron without its first triangle: a point that nothing uses, a triangle that is dropped.
+        points, triangles = numpy.concatenate([[[9.0, 9.0, 9.0]], self.points]), numpy.concatenate([[[1, 1, 2]], self.triangles[1:] + 1])
+        self.refused(["node 1 at (1, 0, 0) to node 3 at (0, 1, 0) (face 4)"], points, triangles)
+
     def test_an_edge_of_three_triangles(self):
         fin = numpy.concatenate([self.points, [[2.0, 2.0, 0.0]]])
         triangles = numpy.concatenate([self.triangles, [[0, 2, 6]]])
@@ -201,7 +206,12 @@ class Refusals(Surfaces):
         # Node 6 halves the edge from 0 to 2 for one of its triangles; a flat triangle closes the gap.
         points = numpy.concatenate([self.points, [(self.points[0] + self.points[2]) / 2]])
         triangles = numpy.concatenate([[[0, 6, 4], [6, 2, 4]], self.triangles[1:], [[0, 2, 6]]])
-        self.refused(["1 triangle without area: face 9 of nodes 0, 2, 6 about (0.5, 0.5, 0)"], points, triangles)
+        words = ["1 triangle without area: face 9 of nodes 0, 2, 6 about (0.5"]
+        self.refused(words, points, triangles)
+        # The height that counts as none is 1e-6 of the diagonal, 2 sqrt(3).
+        height = points + numpy.outer(numpy.arange(7) == 6, [numpy.sqrt(0.5), numpy.sqrt(0.5), 0.0]) * 2e-6 * numpy.sqrt(3)
+        self.refused(words, points + 0.99 * (height - points), triangles)
+        self.assertEqual(len(self.convert(points + 1.01 * (height - points), triangles)[0].triangles), 10)
 
     def test_a_node_where_it_touches_itself(self):
         points, triangles = meshio_sphere(self)
