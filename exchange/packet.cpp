@@ -10,7 +10,7 @@ const Array& find_array(const std::vector<Array>& arrays, const std::string& nam
     if (array.name == name) return array;
     present += (present.empty() ? "" : ", ") + array.name;
   }
-  throw std::runtime_error(where + ": array '" + name +
+  throw FileError(where + ": array '" + name +
                            "' is missing; there are: " + (present.empty() ? "none" : present));
 }
 

@@ -10,13 +10,6 @@
 
 namespace tanktread::exchange {
 
-/// A file could not be read or written, or is not what it should be. The message names the file, what is
-/// wrong, and VTK's own words.
-class FileError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// Writes a packet as appended raw doubles, which keep every bit (NaN, inf and subnormals too), with a hash
 /// of all of it in one more array of field data, `content_hash` (content_hash.hpp). The file is written under
 /// a temporary name beside its place, brought to the disk, and renamed, so that a reader never sees half a
