@@ -105,6 +105,7 @@ def build(options, series, in_window):
     boxes = [camera.flat_box(bounds, *place) for place in places] + ([membrane_box] if membrane else [])
     normal = places[0][0] if places else axes[1]
     scene.look(view, boxes, *camera.view_axes(normal, axes), len(places), options.zoom)
+    simple.SetActiveSource(membrane or fluid)
     if places:
         say_lag(fields.flow_lag(shown, fluid_times))
     return view, shown
@@ -170,9 +171,13 @@ def main(words, in_window):
 
 
 def main_in_window():
-    """Like main, with the words of the environment; an error leaves the window open."""
+    """Like main, with the words of the environment; an error is shown and leaves the window open."""
+    words = output_options.words_from_environment(os.environ)
+    if not words:
+        print("open_output.py: TANKTREAD_OUTPUT is not set: start ParaView with it, as told here.\n" + __doc__, file=sys.stderr)
+        return
     try:
-        main(output_options.words_from_environment(os.environ) or ["--help"], True)
+        main(words, True)
     except SystemExit:
         pass
 

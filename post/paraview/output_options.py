@@ -98,14 +98,14 @@ def _number(word):
     except ValueError:
         value = math.nan
     if not math.isfinite(value):
-        raise argparse.ArgumentTypeError(f"'{word}' is not a finite number")
+        raise argparse.ArgumentTypeError(f"'{word.strip()}' is not a finite number")
     return value
 
 
 def _integer(word, low, high, what):
     """An integer from low to high."""
     if not word.strip().isdecimal() or not low <= int(word) <= high:
-        raise argparse.ArgumentTypeError(f"'{word}' is not {what} from {low} to {high}")
+        raise argparse.ArgumentTypeError(f"'{word.strip()}' is not {what} from {low} to {high}")
     return int(word)
 
 
@@ -124,7 +124,7 @@ def _pixels(word):
 def _zoom(word):
     value = _number(word)
     if not 0.01 <= value <= 100.0:
-        raise argparse.ArgumentTypeError(f"'{word}' is not between 0.01 and 100")
+        raise argparse.ArgumentTypeError(f"'{word.strip()}' is not between 0.01 and 100")
     return value
 
 

@@ -128,7 +128,7 @@ def colour_by(display, view, field, limits, colours, left):
     simple.ColorBy(display, value if array.n_components == 1 else (*value, component), separate=not left)
     table = simple.GetColorTransferFunction(array.name, display, separate=not left)
     set_colours(table, colours[fields.goes_both_ways(limits)], limits)
-    add_bar(simple.GetScalarBar(table, view), fields.title(field), limits, left)
+    add_bar(view, table, fields.title(field), limits, left)
     display.SetScalarBarVisibility(view, True)
 
 
@@ -143,8 +143,14 @@ def set_colours(table, colours, limits):
     table.RescaleTransferFunction(*limits)
 
 
-def add_bar(bar, title, limits, left):
+def font_size(view, size):
+    """A size that suits a picture 1200 wide, for the view; not too small to be read."""
+    return round(size * max(0.7, view.ViewSize[0] / 1200))
+
+
+def add_bar(view, table, title, limits, left):
     """Sets a colour bar: upright, its title above, five numbers."""
+    bar = simple.GetScalarBar(table, view)
     bar.AutoOrient, bar.Orientation = 0, "Vertical"
     bar.WindowLocation, bar.Position = "Any Location", [0.03 if left else 0.845, 0.32]
     bar.ScalarBarLength, bar.ScalarBarThickness = 0.36, 20
@@ -154,7 +160,7 @@ def add_bar(bar, title, limits, left):
     bar.AddRangeLabels, bar.UseCustomLabels, bar.CustomLabels = 0, 1, fields.labels(limits)
     for part, size in (("Title", 19), ("Label", 18)):
         setattr(bar, part + "Color", INK)
-        setattr(bar, part + "FontSize", size)
+        setattr(bar, part + "FontSize", font_size(view, size))
 
 
 def show_time(view):
@@ -164,7 +170,7 @@ def show_time(view):
     time.Format = "shear time %.2f" if "%" in time.Format else "shear time {time:.2f}"
     display = simple.Show(time, view)
     display.WindowLocation, display.Position = "Any Location", [0.8, 0.04]
-    display.FontSize, display.Color = 20, INK
+    display.FontSize, display.Color = font_size(view, 20), INK
 
 
 def prepare(view, size):
