@@ -3,7 +3,7 @@
 In the window, where options come from the environment:
     TANKTREAD_OUTPUT=output/shear-capsule paraview --script=post/paraview/open_output.py
     TANKTREAD_OPTIONS="--color stress --component xx" TANKTREAD_OUTPUT=... paraview --script=...
-Without a window (without a display: xvfb-run -a pvbatch ...):
+Without a window (without a display: xvfb-run -a -s "-noreset -screen 0 1280x1024x24" pvbatch ...):
     pvbatch post/paraview/open_output.py output/shear-capsule --list
     pvbatch post/paraview/open_output.py output/shear-capsule picture.png --color viscous_stress --component xx
     pvbatch post/paraview/open_output.py output/shear-capsule --frames frames
@@ -130,8 +130,11 @@ def show_time(view, time):
 
 def save(view, file, size):
     """Saves what the view shows. Throws OSError if that fails."""
-    if not simple.SaveScreenshot(file, view, ImageResolution=size):
-        raise OSError(f"{file}: could not be saved")
+    # ParaView 5.11 reports success even where nothing could be written.
+    before = os.stat(file).st_mtime_ns if os.path.isfile(file) else None
+    simple.SaveScreenshot(file, view, ImageResolution=size)
+    if not os.path.isfile(file) or os.stat(file).st_mtime_ns == before:
+        raise OSError(f"{file}: could not be saved; may the folder be written to, and is there room?")
 
 
 def save_all(options, view, times):
@@ -182,8 +185,8 @@ def main_in_window():
         pass
 
 
-# The window runs a script without a name and without arguments.
-if not sys.argv[0]:
+# The window runs a script without arguments, that of 5.11 without a name.
+if not sys.argv[0] or (len(sys.argv) < 2 and os.environ.get("TANKTREAD_OUTPUT")):
     main_in_window()
 else:
     code = main(sys.argv[1:], False)

@@ -1,4 +1,7 @@
-"""Boxes in space, and where the camera stands to see them whole. Knows nothing of ParaView. A box: x from, x to, y from, y to, z from, z to."""
+"""Boxes in space, arrows in them, and where the camera stands to see them whole. Knows nothing of ParaView.
+
+A box: x from, x to, y from, y to, z from, z to.
+"""
 
 import itertools
 import math
@@ -23,6 +26,26 @@ def union(boxes):
 def middle(box):
     """The middle of a box."""
     return [0.5 * (box[2 * k] + box[2 * k + 1]) for k in range(3)]
+
+
+def lattice(bounds, axis, position, n):
+    """Places of arrows in the plane across an axis: n of them along its longer side, in squares, half a square from the sides.
+
+    Returns (the corner, the corner at the end of the first side, of the second), (numbers along these sides), spacing. A side that
+    is shorter than two squares has two.
+    """
+    sides = [k for k in range(3) if k != axis]
+    extents = [bounds[2 * k + 1] - bounds[2 * k] for k in sides]
+    spacing = max(extents) / n
+    numbers = [max(2, round(extent / spacing)) for extent in extents]
+    insets = [0.5 * extent / number for extent, number in zip(extents, numbers)]
+    corner = [position] * 3
+    for side, inset in zip(sides, insets):
+        corner[side] = bounds[2 * side] + inset
+    corners = [corner]
+    for side, inset in zip(sides, insets):
+        corners.append([bounds[2 * k + 1] - inset if k == side else corner[k] for k in range(3)])
+    return corners, numbers, spacing
 
 
 def view_axes(normal, axes):

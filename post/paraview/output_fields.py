@@ -116,7 +116,7 @@ def axes_of_run(folder):
 
         flow = read_echo(folder)["flow"]
         flow_axis, wall_axis = (AXES.index(flow[key]) for key in ("flow_axis", "wall_axis"))
-    except (ImportError, InputError, KeyError):
+    except (ImportError, InputError, KeyError, ValueError):
         flow_axis, wall_axis = 0, 2
     return flow_axis, 3 - flow_axis - wall_axis, wall_axis
 
@@ -124,13 +124,13 @@ def axes_of_run(folder):
 def place_slices(slices, bounds, vorticity_axis):
     """[(axis, position) ...] of slices through the fluid's bounds (None: no fluid), the middle where no position was given.
 
-    Throws InputError for a plane outside. Fluid files may hold one sheet of nodes, which then is the slice.
+    Throws InputError for a plane outside. Fluid files may hold one sheet of nodes, which then is the slice, or a line, which is not drawn.
     """
-    if bounds is None:
+    flat = [axis for axis in range(3) if bounds[2 * axis] == bounds[2 * axis + 1]] if bounds else []
+    if not bounds or len(flat) > 1:
         if slices:
-            raise InputError("--slice: the run wrote no fluid files (output.fluid_every is 0?)")
+            raise InputError("--slice: there are no fluid files, or they hold a line of nodes only (output.fluid_every, output.fluid_box)")
         return []
-    flat = [axis for axis in range(3) if bounds[2 * axis] == bounds[2 * axis + 1]]
     return [_place(axis, position, bounds, flat) for axis, position in slices or [(flat[0] if flat else vorticity_axis, None)]]
 
 
@@ -138,7 +138,8 @@ def _place(axis, position, bounds, flat):
     """One of place_slices."""
     name, low, high = AXES[axis], bounds[2 * axis], bounds[2 * axis + 1]
     if flat and axis not in flat:
-        raise InputError(f"--slice {name}: the fluid files hold one sheet of nodes across {AXES[flat[0]]} (output.fluid_box); only that can be drawn")
+        sheet = AXES[flat[0]]
+        raise InputError(f"--slice {name}: the fluid files hold one sheet of nodes across {sheet} (output.fluid_box); use --slice {sheet}")
     if position is not None and not low <= position <= high:
         raise InputError(f"--slice {name}:{position:g}: the fluid nodes reach from {low:g} to {high:g} along {name}")
     return axis, 0.5 * (low + high) if position is None else position

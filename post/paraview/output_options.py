@@ -11,13 +11,18 @@ PICTURES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp")
 
 def build_parser(description):
     """All options, with their defaults."""
-    parser = argparse.ArgumentParser(prog="open_output.py", usage="%(prog)s OUTPUT [PICTURE] [options]; --help tells them", description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        prog="open_output.py",
+        usage="%(prog)s OUTPUT [PICTURE] [options]; --help tells them",
+        description=description,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     parser.add_argument("output", metavar="OUTPUT", help="output directory of a run")
     parser.add_argument("picture", metavar="PICTURE", nargs="?", help="save a picture here (" + " ".join(PICTURES) + ")")
     parser.add_argument("--list", action="store_true", help="print the arrays and the times, draw nothing")
 
     what = parser.add_argument_group("the membrane")
-    what.add_argument("--color", metavar="ARRAY", default="area_ratio", help="array that colours it, of points or triangles (default: %(default)s)")
+    what.add_argument("--color", metavar="ARRAY", default="area_ratio", help="array of points or triangles that colours it (default: %(default)s)")
     what.add_argument("--component", metavar="C", help="number (from 0) or name of a component, or magnitude (default: magnitude)")
     what.add_argument("--range", metavar=("LOW", "HIGH"), nargs=2, type=_number, help="range of the colours (default: of all times)")
     what.add_argument("--no-edges", action="store_true", help="leave out the edges of the triangles")
@@ -25,17 +30,18 @@ def build_parser(description):
     flow = parser.add_argument_group("the flow")
     flow.add_argument(
         "--slice", metavar="AXIS[:POSITION]", dest="slices", action="append", type=_slice,
-        help="draw the velocity in a plane across x, y or z, at a position in grid steps (default: the shear plane, through the middle); may be given again",
+        help="draw the velocity in a plane across x, y or z, at a position in grid steps; may be given again "
+        "(default: the shear plane, through the middle)",
     )  # fmt: skip
     flow.add_argument("--no-slice", action="store_true", help="draw no flow")
     flow.add_argument("--velocity", choices=[*AXES, "magnitude"], help="what colours the slices (default: along the flow)")
     flow.add_argument("--velocity-range", metavar=("LOW", "HIGH"), nargs=2, type=_number, help="range of these colours (default: of all times)")
-    flow.add_argument("--arrows", metavar="N", type=_count, default=16, help="arrows along the longer side of a slice (default: %(default)s; 0: none)")
+    flow.add_argument("--arrows", metavar="N", type=_count, default=16, help="arrows along the longer side (default: %(default)s; 0: none)")
 
     when = parser.add_argument_group("time and pictures")
     when.add_argument("--shear-time", metavar="T", type=_number, help="show the moment nearest to this (default: the last)")
     when.add_argument("--frames", metavar="DIR", help="save frame_0000.png ... here, one for each membrane file")
-    when.add_argument("--size", metavar=("WIDTH", "HEIGHT"), nargs=2, type=_pixels, default=[1200, 900], help="of the pictures, in pixels (default: 1200 900)")
+    when.add_argument("--size", metavar=("WIDTH", "HEIGHT"), nargs=2, type=_pixels, default=[1200, 900], help="in pixels (default: 1200 900)")
     when.add_argument("--zoom", metavar="FACTOR", type=_zoom, default=1.0, help="above 1: nearer (default: 1)")
     return parser
 
@@ -110,7 +116,9 @@ def _integer(word, low, high, what):
 
 
 def _count(word):
-    return _integer(word, 0, 200, "a number of arrows")
+    if word.strip() == "0":
+        return 0
+    return _integer(word, 2, 200, "0 or a number of arrows")
 
 
 def _pixels(word):

@@ -97,19 +97,8 @@ def show_slice(plane, view, field, limits, opacity):
 
 def show_arrows(fluid, view, axis, position, n_arrows, fastest):
     """Arrows on a square lattice in the plane across an axis; the longest, of the speed `fastest`, reaches to the next."""
-    bounds = fluid.GetDataInformation().GetBounds()
-    extents = [bounds[2 * k + 1] - bounds[2 * k] for k in range(3)]
-    first, second = [k for k in range(3) if k != axis]
-    spacing = max(extents[first], extents[second]) / n_arrows
-    counts = [max(1, round(extents[k] / spacing)) for k in (first, second)]
-    lattice = simple.Plane(registrationName=f"lattice {fields.AXES[axis]}", XResolution=max(1, counts[0] - 1), YResolution=max(1, counts[1] - 1))
-    corners = [[0.0] * 3 for _ in range(3)]
-    for k, corner in enumerate(corners):
-        corner[axis] = position
-        for direction, count, end in ((first, counts[0], k == 1), (second, counts[1], k == 2)):
-            # Half a spacing from the sides.
-            inset = 0.5 * extents[direction] / count
-            corner[direction] = bounds[2 * direction + 1] - inset if end else bounds[2 * direction] + inset
+    corners, numbers, spacing = camera.lattice(fluid.GetDataInformation().GetBounds(), axis, position, n_arrows)
+    lattice = simple.Plane(registrationName=f"lattice {fields.AXES[axis]}", XResolution=numbers[0] - 1, YResolution=numbers[1] - 1)
     lattice.Origin, lattice.Point1, lattice.Point2 = corners
     sampled = simple.ResampleWithDataset(registrationName=f"velocity {fields.AXES[axis]}", SourceDataArrays=fluid, DestinationMesh=lattice)
     arrows = simple.Glyph(registrationName=f"arrows {fields.AXES[axis]}", Input=sampled, GlyphType="Arrow")

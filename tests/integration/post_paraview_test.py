@@ -65,7 +65,9 @@ class Options(InFolder):
             self.assert_exits(["'inf' is not a finite number"], "out", option, "1", "inf")
         self.assert_exits(["--no-slice and --slice"], "out", "--no-slice", "--slice", "x")
         self.assert_exits(["--frames saves all"], "out", "--frames", "f", "--shear-time", "1")
-        self.assert_exits(["'-3' is not a number of arrows from 0"], "out", "--arrows", "-3")
+        self.assert_exits(["'-3' is not 0 or a number of arrows from 2"], "out", "--arrows", "-3")
+        self.assert_exits(["'1' is not 0"], "out", "--arrows", "1")
+        self.assertEqual([parse("out", "--arrows", n).arrows for n in ("0", "2")], [0, 2])
         self.assert_exits(["'901' is odd"], "out", "--size", "1200", "901")
         self.assert_exits(["'0'", "0.01"], "out", "--zoom", "0")
 
@@ -119,7 +121,9 @@ class Fields(InFolder):
         )
 
     def test_ranges_of_colours(self):
-        for values, expected in (((0.9, 1.2), (0.9, 1.2)), ((-2.0, 1.0), (-2.0, 2.0)), ((-0.01, 1.0), (-0.01, 1.0)), ((0.0, 0.0), (0.0, 1.0)), ((-3.0, -3.0), (-3.0, 0.0))):
+        for values in ((0.9, 1.2), (-0.01, 1.0)):
+            self.assertEqual(fields.colour_range(*values), values)
+        for values, expected in (((-2.0, 1.0), (-2.0, 2.0)), ((0.0, 0.0), (0.0, 1.0)), ((-3.0, -3.0), (-3.0, 0.0))):
             self.assertEqual(fields.colour_range(*values), expected)
         self.assertEqual([fields.goes_both_ways(limits) for limits in ((-2.0, 2.0), (0.9, 1.2), (-0.01, 1.0))], [True, False, False])
         self.assertEqual(fields.labels((-1.0, 1.0)), [-1.0, -0.5, 0.0, 0.5, 1.0])
@@ -154,6 +158,7 @@ class Fields(InFolder):
         self.assert_refused(["--slice z:20", "from 0.5 to 19.5 along z"], fields.place_slices, [(2, 20.0)], bounds, 1)
         self.assert_refused("output.fluid_every", fields.place_slices, [(2, None)], None, 1)
         self.assertEqual(fields.place_slices(None, None, 1), [])
+        self.assertEqual(fields.place_slices(None, [3.5, 3.5, 0.5, 39.5, 7.5, 7.5], 1), [])
         sheet = [0.5, 59.5, 0.5, 39.5, 7.5, 7.5]
         self.assertEqual(fields.place_slices(None, sheet, 1), [(2, 7.5)])
         self.assert_refused(["--slice y", "sheet of nodes across z"], fields.place_slices, [(1, None)], sheet, 1)
@@ -208,6 +213,12 @@ class Camera(unittest.TestCase):
         corners = [matrix.MultiplyPoint((x, y, z, 1.0)) for box in boxes for x in box[0:2] for y in box[2:4] for z in box[4:6]]
         return max(abs(x / w) for x, _, _, w in corners), max(abs(y / w) for _, y, _, w in corners)
 
+    def test_places_of_arrows(self):
+        corners, numbers, spacing = camera.lattice([0, 80, 7, 9, 0, 40], 1, 8.0, 8)
+        self.assertEqual((corners, numbers, spacing), ([[5, 8, 5], [75, 8, 5], [5, 8, 35]], [8, 4], 10))
+        # Across z the shorter side has two, not none.
+        self.assertEqual(camera.lattice([0, 80, 7, 9, 0, 40], 2, 20.0, 8)[:2], ([[5, 7.5, 20], [75, 7.5, 20], [5, 8.5, 20]], [8, 2]))
+
     def test_boxes(self):
         self.assertEqual(camera.flat_box([0, 1, 2, 3, 4, 5], 1, 2.5), [0, 1, 2.5, 2.5, 4, 5])
         self.assertEqual(camera.union([[0, 1, 2, 3, 4, 5], [-1, 0.5, 2.5, 9, 4, 4.5]]), [-1, 1, 2, 9, 4, 5])
@@ -243,6 +254,10 @@ class InParaView(InFolder):
         said = self.run_script(self.folder / "a.png", "--color", "strss", exit_code=2)
         self.assertIn("'strss': the membrane has no such array; it has area_ratio, stress; did you mean stress?", said)
         self.assertFalse((self.folder / "a.png").exists())
+
+    def test_a_picture_that_cannot_be_written(self):
+        (self.folder / "a.png").mkdir()
+        self.assertIn("a.png: could not be saved", self.run_script(self.folder / "a.png", exit_code=3))
 
     def test_a_picture(self):
         said = self.run_script(self.folder / "a.png", "--size", 600, 450)
