@@ -51,7 +51,7 @@ void run(const FluidStage& stage) {
 }  // namespace
 
 void run_stage(const FluidStage& stage) {
-  with_stage_errors([&] { run(stage); });
+  with_stage_errors<fluid::Breakdown>([&] { run(stage); });
 }
 
 }  // namespace tanktread::driver
