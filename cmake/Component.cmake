@@ -30,9 +30,7 @@ endfunction()
 # Eigen's alignment depends on the vector width in use. The same for all keeps matrices exchangeable between the libraries
 # (perhaps built with -march=native) and programs built without: 64 bytes for what Eigen allocates (a lower maximum would
 # not hold, Eigen allocates by the larger of this and its own choice), 16 for matrices of fixed size.
-function(tanktread_link_eigen target)
-  find_package(Eigen3 REQUIRED NO_MODULE)
-  target_link_libraries(${target} PUBLIC Eigen3::Eigen)
+function(tanktread_align_eigen target)
   target_compile_definitions(${target} PUBLIC EIGEN_MAX_ALIGN_BYTES=64 EIGEN_MAX_STATIC_ALIGN_BYTES=16)
 endfunction()
 
