@@ -34,14 +34,24 @@ void run(const InterpolateStage& stage) {
   exchange::write_surface(stage.out, out);
 }
 
+/// Positions that stencils cannot be built at are those of the user's file.
+template <class Stage>
+void with_coupler_errors(Stage stage) {
+  try {
+    with_stage_errors(stage);
+  } catch (const coupler::StencilError& error) {
+    throw InputError(error.what());
+  }
+}
+
 }  // namespace
 
 void run_stage(const SpreadStage& stage) {
-  with_stage_errors([&] { run(stage); });
+  with_coupler_errors([&] { run(stage); });
 }
 
 void run_stage(const InterpolateStage& stage) {
-  with_stage_errors([&] { run(stage); });
+  with_coupler_errors([&] { run(stage); });
 }
 
 }  // namespace tanktread::driver

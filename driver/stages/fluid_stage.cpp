@@ -36,7 +36,7 @@ void take_steps(fluid::Fluid& fluid, const FluidStage& stage) {
 }
 
 void run(const FluidStage& stage) {
-  const auto numbers = parameters(stage.the_case);
+  const auto numbers = flow_parameters(stage.the_case);
   const auto fluid = make_fluid(stage.the_case, numbers);
   if (!stage.state.empty()) restore(*fluid, stage.state);
   take_steps(*fluid, stage);
@@ -51,7 +51,7 @@ void run(const FluidStage& stage) {
 }  // namespace
 
 void run_stage(const FluidStage& stage) {
-  with_stage_errors([&] { run(stage); });
+  with_stage_errors<fluid::Breakdown>([&] { run(stage); });
 }
 
 }  // namespace tanktread::driver

@@ -73,7 +73,7 @@ void run(const MembraneStage& stage) {
 }  // namespace
 
 void run_stage(const MembraneStage& stage) {
-  with_stage_errors([&] { run(stage); });
+  with_stage_errors<LongMove, membrane::InvertedElement>([&] { run(stage); });
 }
 
 }  // namespace tanktread::driver

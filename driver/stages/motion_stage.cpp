@@ -131,7 +131,7 @@ void run(const MotionStage& stage) {
 }  // namespace
 
 void run_stage(const MotionStage& stage) {
-  with_stage_errors([&] { run(stage); });
+  with_stage_errors<LongMove, membrane::InvertedElement>([&] { run(stage); });
 }
 
 }  // namespace tanktread::driver
