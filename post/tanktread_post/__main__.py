@@ -35,6 +35,8 @@ def build_parser():
     command.add_argument("--shear-time", type=float, help="which moment (default: the last)")
     command.add_argument("--file", type=pathlib.Path, help="where to (default: capsule.png in the output directory)")
 
+    add("snapshots", _snapshots, "snapshots.png: the moments of a case's runs that its compare.toml lists", True)
+
     command = add("measure", _measure, "adds a finished run to measured/results.csv of its case", True)
     command.add_argument("--at", type=float, nargs="+", required=True, metavar="SHEAR_TIME", help="when to read it")
     command.add_argument("--run", help="name of the run (default: that of its folder)")
@@ -109,6 +111,12 @@ def _render(arguments):
     from . import render
 
     return _said([render.render(arguments.output, arguments.field, arguments.shear_time, arguments.file)])
+
+
+def _snapshots(arguments):
+    from . import snapshots
+
+    return _said([snapshots.draw_snapshots(arguments.output, arguments.case)])
 
 
 def _measure(arguments):
