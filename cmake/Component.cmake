@@ -27,6 +27,13 @@ function(tanktread_compile_options target)
   endif()
 endfunction()
 
+# Eigen's alignment depends on the vector width in use. The same for all keeps matrices exchangeable between the libraries
+# (perhaps built with -march=native) and programs built without: 64 bytes for what Eigen allocates (a lower maximum would
+# not hold, Eigen allocates by the larger of this and its own choice), 16 for matrices of fixed size.
+function(tanktread_align_eigen target)
+  target_compile_definitions(${target} PUBLIC EIGEN_MAX_ALIGN_BYTES=64 EIGEN_MAX_STATIC_ALIGN_BYTES=16)
+endfunction()
+
 # Installs the package config through which find_package(tanktread) finds what was built.
 function(tanktread_install_package)
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/tanktreadConfig.cmake.in

@@ -61,7 +61,7 @@ struct ViscousCase {
 struct MembraneCase {
   std::string elastic_law = "skalak";
   double capillary_number = 0.3;
-  std::string capillary_modulus = "E_s";  ///< E_s (skalak) | G_s | gamma (interfacial-tension)
+  std::string capillary_modulus = "E_s";  ///< E_s = 2 G_s | G_s | gamma (interfacial-tension)
   double area_ratio = 1.0;
   double poisson_ratio = 0.5;
   std::vector<std::string> command;  ///< a program in the place of the laws; empty: none

@@ -27,14 +27,14 @@ void check_missing(CaseReader& reader, const Key& key, const Case& the_case, std
 /// A value that is wrong by itself has been said to be.
 void check_objection(CaseReader& reader, const Key& key, const Case& the_case, std::size_t capsule) {
   const auto path = numbered_path(key.path, capsule);
-  if (!is_given(reader.value(path))) return;
+  if (!is_given(reader.value(path)) || reader.is_idle(path, key)) return;
   const auto objection = objection_of(key, the_case, capsule);
   if (!objection.empty()) reader.problem(path, objection);
 }
 
 /// A key of [membrane] has its place if it has one in any capsule.
 void check_membrane_objection(CaseReader& reader, const Key& key, const Case& the_case) {
-  if (!is_given(reader.value(key.path))) return;
+  if (!is_given(reader.value(key.path)) || reader.is_idle(key.path, key)) return;
   std::string first;
   for (std::size_t k = 0; k < the_case.capsules.size(); ++k) {
     const auto objection = objection_of(key, the_case, k);
@@ -69,7 +69,7 @@ void check_modulus(CaseReader& reader, const Case& the_case, std::size_t capsule
   const auto& [law, modulus] = std::pair(the_case.capsules[capsule].membrane.elastic_law,
                                          the_case.capsules[capsule].membrane.capillary_modulus);
   const bool is_tension = law == "interfacial-tension";
-  if (is_tension == (modulus == "gamma") && (modulus != "E_s" || law == "skalak")) return;
+  if (is_tension == (modulus == "gamma")) return;
   reader.problem(membrane_path(reader, "capillary_modulus", capsule),
                  fmt::format("contradicts elastic_law = \"{}\" of capsule {}, which has none; give \"{}\"",
                              law, capsule, preset_modulus(law)));

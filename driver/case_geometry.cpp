@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupler/coupler.hpp"
 #include "driver/case_checks.hpp"
+#include "driver/names.hpp"
 
 namespace tanktread::driver {
 namespace {
@@ -17,21 +17,22 @@ std::string position_path(std::size_t number) {
 
 void check_wall(CaseReader& reader, std::size_t number, const Case& the_case, int axis) {
   const auto& capsule = the_case.capsules[number];
-  const auto& kernel = coupler::kernel(the_case.coupler.kernel);
+  const auto& kernel = the_case.coupler.kernel;
+  const auto reach = kernel_half_width(kernel);
   const double length = the_case.flow.box[axis];
   const double gap = gap_along(the_case, capsule, axis);
-  if (gap >= kernel.half_width || !is_sphere(capsule)) return;
-  const double least = capsule.radius + kernel.half_width;
+  if (!reach || gap >= *reach || !is_sphere(capsule)) return;
+  const double least = capsule.radius + *reach;
   const auto fix =
       2 * least <= length
           ? fmt::format("{} must be from {:.6g} to {:.6g}", "xyz"[axis], least, length - least)
           : fmt::format("flow.box along {0} must be at least {1:.0f}, or the radius at most {2:.6g}",
-                        "xyz"[axis], std::ceil(2 * least), length / 2 - kernel.half_width);
+                        "xyz"[axis], std::ceil(2 * least), length / 2 - *reach);
   reader.problem(
       position_path(number),
       fmt::format("leaves {:.6g} grid steps between capsule and wall, but the kernel {} reaches {:g} "
                   "from the membrane and has no correction at a wall; {}",
-                  gap, kernel.name, kernel.half_width, fix));
+                  gap, kernel, *reach, fix));
 }
 
 void check_place(CaseReader& reader, std::size_t number, const Case& the_case) {

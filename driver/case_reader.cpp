@@ -45,6 +45,7 @@ CaseReader::CaseReader(const std::string& text, const std::string& name,
         fmt::format("{}:{}: not valid TOML: {}", name, error.source().begin.line, error.description()));
   }
   for (const auto& assignment : assignments) assign(assignment);
+  for (const auto& assignment : assignments_) check_effect(assignment);
   check_table(document_, "");
 }
 
@@ -70,6 +71,16 @@ void CaseReader::assign(const std::string& text) {
     return;
   }
   assignments_.push_back(assignment);
+}
+
+void CaseReader::check_effect(const Assignment& assignment) {
+  const Key* key = find_key(assignment.path);
+  if (key == nullptr || !is_membrane_key(*key) || n_capsules() == 0) return;
+  for (std::size_t k = 0; k < n_capsules(); ++k) {
+    if (!at(fmt::format("capsule.{}.{}", k, assignment.path))) return;
+  }
+  note(fmt::format("--set {}: has no effect, for every capsule has its own; set capsule.0.{} (1 ...)",
+                   assignment.text, assignment.path));
 }
 
 void CaseReader::check_table(const toml::table& table, const std::string& prefix) {
@@ -133,6 +144,10 @@ Value CaseReader::value(const std::string& path) const {
   const auto view = at(path);
   const Key* key = find_key(path);
   return view && key != nullptr ? value_of(*view.node(), *key) : Value();
+}
+
+bool CaseReader::is_idle(const std::string& path, const Key& key) const {
+  return !assignments_.empty() && assignment_to(path) == nullptr && toml_text(value(path)) == key.preset;
 }
 
 std::size_t CaseReader::n_capsules() const {

@@ -22,6 +22,10 @@ class CaseReader {
   /// that the schema allows (then that is a problem already).
   Value value(const std::string& path) const;
 
+  /// A default that the file spells out, as an echo does, beside assignments to other keys: if those leave it
+  /// without a place, it says nothing that would contradict them.
+  bool is_idle(const std::string& path, const Key& key) const;
+
   /// Something stands at that path, key or table.
   bool has(const std::string& path) const { return static_cast<bool>(at(path)); }
   std::size_t n_capsules() const;
@@ -35,6 +39,8 @@ class CaseReader {
  private:
   toml::node_view<const toml::node> at(const std::string& path) const;
   void assign(const std::string& text);
+  /// Notes an assignment to [membrane] that every capsule overrides.
+  void check_effect(const Assignment& assignment);
   void check_table(const toml::table& table, const std::string& prefix);
   void check_capsules(const toml::node& node);
   void check_entry(const toml::node& node, const std::string& path);

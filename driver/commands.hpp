@@ -5,7 +5,8 @@
 
 namespace tanktread::driver {
 
-/// Each adds its command to `app`; its callback stores the exit code in `exit_code`.
+/// Each adds its command to `app`; its callback stores the exit code in `exit_code`. Where the program lacks
+/// a component that the command needs, the function of that name is the one in driver/absent/.
 void add_run_command(CLI::App& app, int& exit_code);
 void add_plan_command(CLI::App& app, int& exit_code);
 void add_membrane_command(CLI::App& app, int& exit_code);
@@ -15,5 +16,10 @@ void add_replay_command(CLI::App& app, int& exit_code);
 void add_mesh_command(CLI::App& app, int& exit_code);
 void add_study_command(CLI::App& app, int& exit_code);
 void add_diff_command(CLI::App& app, int& exit_code);
+
+/// The studies below the command `study`, likewise.
+void add_maxwell_study(CLI::App& study, int& exit_code);
+void add_noise_study(CLI::App& study, int& exit_code);
+void add_twist_study(CLI::App& study, int& exit_code);
 
 }  // namespace tanktread::driver

@@ -4,7 +4,7 @@
 
 namespace tanktread::driver {
 
-std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const Parameters& parameters) {
+std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const FlowParameters& parameters) {
   const auto& flow = the_case.flow;
   fluid::LatticeBoltzmannSettings settings;
   settings.shape = {flow.box[0], flow.box[1], flow.box[2]};

@@ -13,7 +13,7 @@
 namespace tanktread::driver {
 
 /// The flow solver of a case, at its start. @throws InputError if it is a program that cannot be started
-std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const Parameters& parameters);
+std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const FlowParameters& parameters);
 
 /// The coupler of a case, without stencils.
 std::unique_ptr<coupler::Coupler> make_coupler(const Case& the_case);

@@ -6,6 +6,7 @@
 
 #include "driver/case.hpp"
 #include "driver/commands.hpp"
+#include "driver/missing_command.hpp"
 #include "driver/version.hpp"
 
 namespace {
@@ -37,6 +38,7 @@ int main(int argc, char** argv) {
   tanktread::driver::add_mesh_command(app, exit_code);
   tanktread::driver::add_study_command(app, exit_code);
   tanktread::driver::add_diff_command(app, exit_code);
+  tanktread::driver::put_missing_last(app);
   try {
     app.parse(argc, argv);
     return exit_code;

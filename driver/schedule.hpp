@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "driver/units.hpp"
+#include "driver/flow_units.hpp"
 
 namespace tanktread::driver {
 
@@ -17,12 +17,12 @@ struct Schedule {
 };
 
 /// Shear times to the nearest whole step.
-inline std::int64_t steps_of(double shear_times, const Parameters& parameters) {
+inline std::int64_t steps_of(double shear_times, const FlowParameters& parameters) {
   return std::llround(shear_times * parameters.steps_per_shear_time);
 }
 
 /// Every so many shear times, at least one step apart; 0: never.
-inline Schedule schedule_of(double shear_times, const Parameters& parameters) {
+inline Schedule schedule_of(double shear_times, const FlowParameters& parameters) {
   if (shear_times == 0.0) return {};
   return {std::max<std::int64_t>(1, steps_of(shear_times, parameters))};
 }

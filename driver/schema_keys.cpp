@@ -4,29 +4,16 @@
 
 #include <algorithm>
 
-#include "coupler/coupler.hpp"
+#include "driver/names.hpp"
 #include "driver/schema_members.hpp"
-#include "membrane/elastic_law.hpp"
-#include "membrane/maxwell.hpp"
 
 namespace tanktread::driver {
 namespace {
 
-std::vector<std::string> elastic_law_names() {
-  std::vector<std::string> names;
-  for (const auto& entry : membrane::elastic_law_table()) names.push_back(entry.name);
-  return names;
-}
-
+/// "none" and the schemes; a program that knows no schemes takes any name.
 std::vector<std::string> viscous_scheme_names() {
-  std::vector<std::string> names = {"none"};
-  for (const auto& scheme : membrane::maxwell_schemes()) names.push_back(scheme.name);
-  return names;
-}
-
-std::vector<std::string> kernel_names() {
-  std::vector<std::string> names;
-  for (const auto& kernel : coupler::kernels()) names.push_back(kernel.name);
+  auto names = maxwell_scheme_names();
+  if (!names.empty()) names.insert(names.begin(), "none");
   return names;
 }
 
@@ -69,17 +56,13 @@ std::string refuse_beside_si(const Case& the_case, std::size_t) {
   return "contradicts [si], from which it follows; remove one of them";
 }
 
-/// A parameter of some elastic laws only.
+/// A parameter of some elastic laws only; a program that knows no laws leaves it.
 std::string refuse_unless_law_takes(const std::string& parameter, const Case& the_case, std::size_t capsule) {
   const auto& law = the_case.capsules[capsule].membrane.elastic_law;
-  std::string takers;
-  for (const auto& entry : membrane::elastic_law_table()) {
-    if (std::count(entry.parameters.begin(), entry.parameters.end(), parameter) == 0) continue;
-    if (entry.name == law) return "";
-    takers += (takers.empty() ? "" : ", ") + entry.name;
-  }
+  const auto takers = elastic_laws_with(parameter);
+  if (takers.empty() || std::ranges::find(takers, law) != takers.end()) return "";
   return fmt::format("contradicts elastic_law = \"{}\", which has none (it is of {}); remove it", law,
-                     takers);
+                     fmt::join(takers, ", "));
 }
 
 std::string refuse_area_ratio(const Case& the_case, std::size_t capsule) {
@@ -226,7 +209,7 @@ std::vector<Key> membrane_keys(const std::string& prefix) {
           .required()
           .unless(refuse_beside_si),
       key<InMembrane<&M::capillary_modulus>>(prefix + "capillary_modulus", "",
-                                             "the modulus in Ca: E_s (skalak only), G_s (all with shear "
+                                             "the modulus in Ca: E_s = 2 G_s or G_s (all with shear "
                                              "elasticity), gamma (interfacial-tension)")
           .one_of({"E_s", "G_s", "gamma"})
           .preset("by the law")

@@ -1,7 +1,5 @@
 #include "driver/units.hpp"
 
-#include <cmath>
-
 #include "driver/laws.hpp"
 
 namespace tanktread::driver {
@@ -34,33 +32,7 @@ CapsuleParameters capsule_parameters(const CapsuleCase& capsule, double viscosit
 }  // namespace
 
 Parameters parameters(const Case& the_case) {
-  const auto& flow = the_case.flow;
-  const double radius = the_case.capsules.front().radius;
-  const double height = flow.box[flow.wall_axis];
-  Parameters result;
-  result.relaxation_time = flow.relaxation_time;
-  result.kinematic_viscosity = (flow.relaxation_time - 0.5) / 3.0;
-  result.relaxation_time_odd = flow.collision == "bgk"
-                                   ? flow.relaxation_time
-                                   : 0.5 + flow.magic_parameter / (flow.relaxation_time - 0.5);
-  if (flow.kind == "periodic") {
-    result.shear_rate = *flow.shear_rate;
-  } else if (flow.wall_speed) {
-    result.wall_speed = *flow.wall_speed;
-    result.shear_rate = 2.0 * result.wall_speed / height;
-  } else {
-    result.shear_rate = *flow.reynolds_number * result.kinematic_viscosity / (radius * radius);
-    result.wall_speed = 0.5 * result.shear_rate * height;
-  }
-  result.reynolds_number = result.shear_rate * radius * radius / result.kinematic_viscosity;
-  result.mach_number =
-      std::sqrt(3.0) * (flow.kind == "periodic" ? result.shear_rate * radius : result.wall_speed);
-  result.body_force = flow.body_force;
-  if (flow.kind == "poiseuille") {
-    result.body_force[flow.flow_axis] +=
-        8.0 * result.kinematic_viscosity * result.wall_speed / (height * height);
-  }
-  result.steps_per_shear_time = 1.0 / result.shear_rate;
+  Parameters result{flow_parameters(the_case), {}};
   for (const auto& capsule : the_case.capsules) {
     result.capsules.push_back(capsule_parameters(capsule, result.kinematic_viscosity, result.shear_rate));
   }

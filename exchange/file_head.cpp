@@ -116,25 +116,16 @@ void check_array_types(vtkXMLDataElement& element, const std::filesystem::path& 
     check_array_types(*element.GetNestedElement(k), file);
 }
 
-void check_digits(vtkXMLDataElement& element, const std::filesystem::path& file) {
-  if (std::string_view(element.GetName()) == "DataArray") {
-    const char* name = element.GetAttribute("Name");
-    const auto array = fmt::format("array '{}'", name != nullptr ? name : "");
-    if (has(element, "type", "Float32")) {
-      throw FileError(fmt::format(
-          "{}: {} is of single precision (Float32), which has lost half of its digits; write it as "
-          "Float64, in numpy float64",
-          file.string(), array));
-    }
-    if (has(element, "type", "Float64") && has(element, "format", "ascii")) {
-      throw FileError(
-          fmt::format("{}: {} is written as text (ASCII), which loses digits; write it as binary or "
-                      "appended data",
-                      file.string(), array));
-    }
+void refuse_text_numbers(vtkXMLDataElement& element, const std::filesystem::path& file) {
+  if (std::string_view(element.GetName()) == "DataArray" && has(element, "format", "ascii")) {
+    const char* array = element.GetAttribute("Name");
+    throw FileError(
+        fmt::format("{}: array '{}' is written as ASCII, which need not keep every bit; write it as binary "
+                    "or appended data",
+                    file.string(), array != nullptr ? array : ""));
   }
   for (int k = 0; k < element.GetNumberOfNestedElements(); ++k)
-    check_digits(*element.GetNestedElement(k), file);
+    refuse_text_numbers(*element.GetNestedElement(k), file);
 }
 
 int n_field_arrays(vtkXMLDataElement& root, const std::string& type) {
@@ -160,7 +151,7 @@ int check_head(const WholeFile& file, const std::string& type, bool exact) {
   parse_head(*parser, stream, file.name());
   check_type(*parser->GetRootElement(), type, file.name());
   check_array_types(*parser->GetRootElement(), file.name());
-  if (exact) check_digits(*parser->GetRootElement(), file.name());
+  if (exact) refuse_text_numbers(*parser->GetRootElement(), file.name());
   stream.clear();
   check_appended_layout(*parser, stream, file.name());
   return n_field_arrays(*parser->GetRootElement(), type);

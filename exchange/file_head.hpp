@@ -22,9 +22,9 @@ void parse_head(vtkXMLDataParser& parser, std::istream& stream, const std::files
 ///   an offset with its length in bytes, and ends where the next begins, the last where XML goes on. With
 ///   bytes missing in between VTK would take other numbers for the array's. Files in other forms are let
 ///   through.
-/// With `exact` also that no array has lost digits: single precision, real numbers as text.
+/// @param exact refuses arrays written as ASCII, which need not keep every bit
 /// @return the number of arrays of field data, of which VTK drops all without a word if one cannot be read
 /// @throws FileError
-int check_head(const WholeFile& file, const std::string& type, bool exact = false);
+int check_head(const WholeFile& file, const std::string& type, bool exact);
 
 }  // namespace tanktread::exchange

@@ -56,8 +56,8 @@ void check_frame(vtkImageData& image, const path& file) {
   }
 }
 
-/// All but the hash, which stays among the field data. @param exact see read_exact_grid
-GridPacket read(const path& file, bool convert, bool exact) {
+/// All but the hash, which stays among the field data. @param exact refuses numbers as ASCII
+GridPacket read(const path& file, Convert convert, bool exact) {
   vtkNew<vtkXMLImageDataReader> reader;
   read_with(*reader, file, "ImageData", exact);
   auto* image = reader->GetOutput();
@@ -93,13 +93,13 @@ void write_grid(const path& file, const GridPacket& packet) {
 }
 
 GridPacket read_grid(const path& file, bool convert) {
-  auto packet = read(file, convert, false);
+  auto packet = read(file, convert ? Convert::with_losses : Convert::nothing, !convert);
   check_content(packet, file);
   return packet;
 }
 
 GridPacket read_exact_grid(const path& file) {
-  auto packet = read(file, true, true);
+  auto packet = read(file, Convert::exactly, true);
   drop_hash(packet.field_data);
   return packet;
 }

@@ -10,8 +10,8 @@ const Array& find_array(const std::vector<Array>& arrays, const std::string& nam
     if (array.name == name) return array;
     present += (present.empty() ? "" : ", ") + array.name;
   }
-  throw std::runtime_error(where + ": array '" + name +
-                           "' is missing; there are: " + (present.empty() ? "none" : present));
+  throw FileError(where + ": array '" + name +
+                  "' is missing; there are: " + (present.empty() ? "none" : present));
 }
 
 }  // namespace tanktread::exchange

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,14 @@ struct GridPacket {
   std::vector<Array> point_data, field_data;
 };
 
-/// The array of that name. @throws std::runtime_error naming `where` and the arrays that are there
+/// A file could not be read or written, or is not what it should be. The message names the file, what is
+/// wrong, and VTK's own words.
+class FileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The array of that name. @throws FileError naming `where` and the arrays that are there
 const Array& find_array(const std::vector<Array>& arrays, const std::string& name, const std::string& where);
 
 }  // namespace tanktread::exchange

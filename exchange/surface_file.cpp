@@ -114,8 +114,8 @@ std::vector<std::int64_t> triangles_of(vtkUnstructuredGrid& grid, const path& fi
   return triangles;
 }
 
-/// All but the hash, which stays among the field data. @param exact see read_exact_surface
-SurfacePacket read(const path& file, bool convert, bool exact) {
+/// All but the hash, which stays among the field data. @param exact refuses numbers as ASCII
+SurfacePacket read(const path& file, Convert convert, bool exact) {
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   read_with(*reader, file, "UnstructuredGrid", exact);
   auto* grid = reader->GetOutput();
@@ -150,13 +150,13 @@ void write_surface(const path& file, const SurfacePacket& packet) {
 }
 
 SurfacePacket read_surface(const path& file, bool convert) {
-  auto packet = read(file, convert, false);
+  auto packet = read(file, convert ? Convert::with_losses : Convert::nothing, !convert);
   check_content(packet, file);
   return packet;
 }
 
 SurfacePacket read_exact_surface(const path& file) {
-  auto packet = read(file, true, true);
+  auto packet = read(file, Convert::exactly, true);
   drop_hash(packet.field_data);
   return packet;
 }

@@ -37,9 +37,8 @@ class VtkMessages {
 void write_with(vtkXMLWriter& writer, vtkDataObject& data, const std::filesystem::path& file);
 
 /// Reads `file` after a look at it: it must be there, whole, and of VTK's type `type` ("UnstructuredGrid",
-/// ...). The result is the reader's output. @param exact also refuses what has lost digits
-/// (check_head). @throws FileError with VTK's own words
-void read_with(vtkXMLReader& reader, const std::filesystem::path& file, const std::string& type,
-               bool exact = false);
+/// ...), and with `exact` hold no number as ASCII. The result is the reader's output. @throws FileError with
+/// VTK's own words
+void read_with(vtkXMLReader& reader, const std::filesystem::path& file, const std::string& type, bool exact);
 
 }  // namespace tanktread::exchange

@@ -10,13 +10,6 @@
 
 namespace tanktread::exchange {
 
-/// A file could not be read or written, or is not what it should be. The message names the file, what is
-/// wrong, and VTK's own words.
-class FileError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// Writes a packet as appended raw doubles, which keep every bit (NaN, inf and subnormals too), with a hash
 /// of all of it in one more array of field data, `content_hash` (content_hash.hpp). The file is written under
 /// a temporary name beside its place, brought to the disk, and renamed, so that a reader never sees half a
@@ -30,7 +23,7 @@ void write_grid(const std::filesystem::path& file, const GridPacket& packet);
 /// Reads a packet back, the arrays in the order in which they were written. If the file has a hash, its
 /// contents must be those that it was made of; one without, as other programs write, is taken as it is.
 /// `convert` is for files made elsewhere: with it numbers of other types are widened to double and text is
-/// left out; without it both are errors.
+/// left out; without it both are errors, and so are numbers written as ASCII, which need not keep every bit.
 /// @throws FileError if the file is missing, cut off, damaged (a single changed bit) or of another kind; for
 /// a surface, cells that are not triangles; for a grid, axes that are turned or cell data; with `convert`,
 /// integers of 2^53 and more, which a double does not hold

@@ -14,3 +14,7 @@ tanktread_test(driver_test SOURCES unit/case_schema_test.cpp unit/case_errors_te
 target_compile_definitions(driver_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
 tanktread_test(study_test SOURCES verification/study_maxwell_test.cpp verification/study_noise_test.cpp
   verification/study_twist_test.cpp LIBRARIES tanktread_driver)
+tanktread_test(stages_test SOURCES integration/stages_test.cpp integration/replay_test.cpp integration/program.cpp
+  LIBRARIES tanktread_driver)
+target_compile_definitions(stages_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
+add_dependencies(stages_test tanktread)

@@ -27,7 +27,7 @@ double wall_axis(const FlowCase& flow) {
   return flow.kind == "periodic" ? -1.0 : flow.wall_axis;
 }
 
-std::vector<Array> constants(const Case& the_case, const Parameters& parameters) {
+std::vector<Array> constants(const Case& the_case, const FlowParameters& parameters) {
   const auto& flow = the_case.flow;
   const auto& force = parameters.body_force;
   return {{"kinematic_viscosity", 1, {parameters.kinematic_viscosity}},
@@ -56,7 +56,7 @@ Array take(std::vector<Array>& arrays, const char* name, int components, std::si
 
 }  // namespace
 
-OutsideFluid::OutsideFluid(const Case& the_case, const Parameters& parameters, const fluid::Fluid& start)
+OutsideFluid::OutsideFluid(const Case& the_case, const FlowParameters& parameters, const fluid::Fluid& start)
     : program_(the_case.flow.command, the_case.run, "fluid", "fluid"),
       constants_(constants(the_case, parameters)),
       shape_(start.shape()),

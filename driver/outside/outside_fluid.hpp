@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "driver/flow_units.hpp"
 #include "driver/outside/outside_program.hpp"
-#include "driver/units.hpp"
 #include "fluid/fluid.hpp"
 
 namespace tanktread::driver {
@@ -18,7 +18,7 @@ class OutsideFluid final : public fluid::Fluid {
   /// Starts the program. @param start a solver of that case at its start, whose density and velocity are the
   /// first ones here
   /// @throws InputError if that fails
-  OutsideFluid(const Case& the_case, const Parameters& parameters, const fluid::Fluid& start);
+  OutsideFluid(const Case& the_case, const FlowParameters& parameters, const fluid::Fluid& start);
 
   fluid::GridShape shape() const override { return shape_; }
   void velocity(std::span<const std::int64_t> nodes, std::span<double> velocity) const override;

@@ -9,7 +9,7 @@ namespace tanktread::driver {
 namespace {
 
 void run(const SpreadStage& stage) {
-  const auto file = exchange::read_surface(stage.in, true);
+  const auto file = exchange::read_surface(stage.in);
   const auto surfaces = surfaces_of(file, stage.in.string());
   const auto force = vectors_of(file, "total_force", surfaces, stage.in.string());
   const auto coupler = make_coupler(stage.the_case);
@@ -19,10 +19,10 @@ void run(const SpreadStage& stage) {
 }
 
 void run(const InterpolateStage& stage) {
-  const auto file = exchange::read_surface(stage.in, true);
+  const auto file = exchange::read_surface(stage.in);
   const auto surfaces = surfaces_of(file, stage.in.string());
-  const auto grid = grid_vectors_of(exchange::read_grid(stage.grid, true), "velocity",
-                                    stage.the_case.flow.box, stage.grid.string());
+  const auto grid = grid_vectors_of(exchange::read_grid(stage.grid), "velocity", stage.the_case.flow.box,
+                                    stage.grid.string());
   const auto coupler = make_coupler(stage.the_case);
   build_stencils(*coupler, surfaces.positions);
   auto out = surface_file(surfaces, step_of(file.field_data, stage.in.string()));
@@ -34,14 +34,24 @@ void run(const InterpolateStage& stage) {
   exchange::write_surface(stage.out, out);
 }
 
+/// Positions that stencils cannot be built at are those of the user's file.
+template <class Stage>
+void with_coupler_errors(Stage stage) {
+  try {
+    with_stage_errors(stage);
+  } catch (const coupler::StencilError& error) {
+    throw InputError(error.what());
+  }
+}
+
 }  // namespace
 
 void run_stage(const SpreadStage& stage) {
-  with_stage_errors([&] { run(stage); });
+  with_coupler_errors([&] { run(stage); });
 }
 
 void run_stage(const InterpolateStage& stage) {
-  with_stage_errors([&] { run(stage); });
+  with_coupler_errors([&] { run(stage); });
 }
 
 }  // namespace tanktread::driver

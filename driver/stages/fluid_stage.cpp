@@ -29,14 +29,14 @@ void restore(fluid::Fluid& fluid, const std::filesystem::path& file) {
 void take_steps(fluid::Fluid& fluid, const FluidStage& stage) {
   GridVectors force;
   if (!stage.force.empty()) {
-    force = grid_vectors_of(exchange::read_grid(stage.force, true), "force", stage.the_case.flow.box,
+    force = grid_vectors_of(exchange::read_grid(stage.force), "force", stage.the_case.flow.box,
                             stage.force.string());
   }
   for (std::int64_t k = 0; k < stage.n_steps; ++k) advance_fluid(fluid, force);
 }
 
 void run(const FluidStage& stage) {
-  const auto numbers = parameters(stage.the_case);
+  const auto numbers = flow_parameters(stage.the_case);
   const auto fluid = make_fluid(stage.the_case, numbers);
   if (!stage.state.empty()) restore(*fluid, stage.state);
   take_steps(*fluid, stage);
@@ -51,7 +51,7 @@ void run(const FluidStage& stage) {
 }  // namespace
 
 void run_stage(const FluidStage& stage) {
-  with_stage_errors([&] { run(stage); });
+  with_stage_errors<fluid::Breakdown>([&] { run(stage); });
 }
 
 }  // namespace tanktread::driver

@@ -26,7 +26,7 @@ struct Input {
 
 Input read_input(const MembraneStage& stage, const std::vector<CapsuleMembrane>& membranes) {
   const auto name = stage.in.string();
-  const auto file = exchange::read_surface(stage.in, true);
+  const auto file = exchange::read_surface(stage.in);
   auto surfaces = surfaces_of(file, name);
   check_surfaces(surfaces, membranes, name);
   Input input;
@@ -73,7 +73,7 @@ void run(const MembraneStage& stage) {
 }  // namespace
 
 void run_stage(const MembraneStage& stage) {
-  with_stage_errors([&] { run(stage); });
+  with_stage_errors<LongMove, membrane::InvertedElement>([&] { run(stage); });
 }
 
 }  // namespace tanktread::driver

@@ -59,7 +59,7 @@ Motion series(const MotionStage& stage, const Parameters& numbers,
   Motion motion;
   for (const auto& entry : entries) {
     const auto file = stage.series.parent_path() / entry.file;
-    auto surfaces = surfaces_of(exchange::read_surface(file, true), file.string());
+    auto surfaces = surfaces_of(exchange::read_surface(file), file.string());
     check_surfaces(surfaces, membranes, file.string());
     const auto step = steps_of(entry.time - entries.front().time, numbers);
     if (!motion.written.empty() && step <= motion.written.back()) {
@@ -131,7 +131,7 @@ void run(const MotionStage& stage) {
 }  // namespace
 
 void run_stage(const MotionStage& stage) {
-  with_stage_errors([&] { run(stage); });
+  with_stage_errors<LongMove, membrane::InvertedElement>([&] { run(stage); });
 }
 
 }  // namespace tanktread::driver

@@ -49,7 +49,7 @@ void replay_coupler(ReplayRecord& record, const Case& the_case) {
 }
 
 void replay_fluid(ReplayRecord& record, const Case& the_case) {
-  const auto fluid = make_fluid(the_case, parameters(the_case));
+  const auto fluid = make_fluid(the_case, flow_parameters(the_case));
   fluid->restore(record.begin().fluid);
   for (auto step = record.first_step(); step <= record.last_step(); ++step) {
     record.compare(Packet::grid_velocity, step,
@@ -68,6 +68,8 @@ void replay_component(ReplayRecord& record, const std::string& component, const 
     } else {
       replay_fluid(record, the_case);
     }
+  } catch (const coupler::StencilError& error) {
+    throw InputError(error.what());
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("the record does not fit the settings: {}", error.what()));
   }
@@ -77,7 +79,7 @@ void replay_component(ReplayRecord& record, const std::string& component, const 
 
 std::vector<ReplayedArray> replay(const ReplayOptions& options) {
   std::vector<ReplayedArray> result;
-  with_stage_errors([&] {
+  with_stage_errors<fluid::Breakdown, LongMove, membrane::InvertedElement>([&] {
     ReplayRecord record(options);
     replay_component(record, options.component, read_case(options.record / "echo.toml", options.assignments));
     result = record.differences();

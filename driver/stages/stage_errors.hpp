@@ -1,35 +1,27 @@
 // What goes wrong in a stage, sorted as in a run: bad input, or a run that went wrong.
 #pragma once
 
-#include <stdexcept>
+#include <exception>
 #include <utility>
 
-#include "coupler/coupler.hpp"
 #include "driver/case.hpp"
 #include "driver/run_error.hpp"
-#include "driver/stages/phases.hpp"
 #include "exchange/vtk_files.hpp"
-#include "fluid/fluid.hpp"
-#include "membrane/membrane.hpp"
 
 namespace tanktread::driver {
 
-/// Calls a stage. @throws InputError in place of a FileError (the files are the user's); RunError in place of
-/// what the components throw
-template <class Stage>
+/// Calls a stage.
+/// @tparam Failures what its component throws when the run goes wrong
+/// @throws InputError in place of a FileError (the files are the user's); RunError in place of a failure
+template <class... Failures, class Stage>
 void with_stage_errors(Stage stage) {
   try {
     std::forward<Stage>(stage)();
   } catch (const exchange::FileError& error) {
     throw InputError(error.what());
-  } catch (const coupler::StencilError& error) {
-    throw InputError(error.what());
-  } catch (const fluid::Breakdown& error) {
-    throw RunError(error.what());
-  } catch (const LongMove& error) {
-    throw RunError(error.what());
-  } catch (const membrane::InvertedElement& error) {
-    throw RunError(error.what());
+  } catch (const std::exception& error) {
+    if ((... || (dynamic_cast<const Failures*>(&error) != nullptr))) throw RunError(error.what());
+    throw;
   }
 }
 

@@ -7,7 +7,7 @@ import argparse
 import pathlib
 import sys
 
-from . import compare, measured, observables, run_folder
+from . import compare, measured, observables, run_folder, surface
 
 
 def build_parser():
@@ -35,22 +35,50 @@ def build_parser():
     command.add_argument("--shear-time", type=float, help="which moment (default: the last)")
     command.add_argument("--file", type=pathlib.Path, help="where to (default: capsule.png in the output directory)")
 
+    add("snapshots", _snapshots, "snapshots.png: the moments of a case's runs that its compare.toml lists", True)
+
     command = add("measure", _measure, "adds a finished run to measured/results.csv of its case", True)
     command.add_argument("--at", type=float, nargs="+", required=True, metavar="SHEAR_TIME", help="when to read it")
     command.add_argument("--run", help="name of the run (default: that of its folder)")
     command.add_argument("--made-by", required=True, metavar="COMMAND", help="the command that made it")
     command.add_argument("--log", type=pathlib.Path, help="what the run printed: for its speed (default: OUTPUT.log)")
 
-    command = commands.add_parser("convert-mesh", help="a mesh of another format as .vtu")
-    command.add_argument("source", type=pathlib.Path)
-    command.add_argument("target", type=pathlib.Path)
-    command.set_defaults(call=_convert)
+    _add_convert_surface(commands)
+    _add_convert_series(commands)
     return parser
 
 
-def _said(files):
-    for file in files:
-        print(file)
+def _add_convert_surface(commands):
+    text = "a closed surface of another format (.stl, .obj, .ply, .off, .msh) as .vtu, or back; repaired and checked"
+    command = commands.add_parser("convert-surface", help=text, description=text)
+    command.add_argument("source", type=pathlib.Path, metavar="IN")
+    command.add_argument("target", type=pathlib.Path, nargs="?", metavar="OUT", help="may be left out with --check-only")
+    command.add_argument("--scale", type=float, default=1.0, help="factor of all coordinates (default: %(default)s)")
+    command.add_argument(
+        "--merge-tolerance", type=float, default=surface.MERGE_TOLERANCE, metavar="FRACTION",
+        help="points nearer than this fraction of the diagonal of the surface's box become one (default: %(default)s)",
+    )  # fmt: skip
+    command.add_argument("--body", type=int, metavar="K", help="take one of several separate bodies, numbered from 0")
+    command.add_argument("--ascii", action="store_true", help="text with all digits, for .stl, .ply and .msh (default: binary)")
+    command.add_argument("--gmsh-version", choices=["4.1", "2.2"], default="4.1", help="of a .msh (default: %(default)s)")
+    command.add_argument("--check-only", action="store_true", help="say what would be done, write nothing")
+    command.add_argument("--force", action="store_true", help="replace OUT if it is there")
+    command.set_defaults(call=_convert_surface)
+
+
+def _add_convert_series(commands):
+    text = "the membranes of a run as one XDMF time series, and as tables"
+    command = commands.add_parser("convert-series", help=text, description=text)
+    command.add_argument("output", type=pathlib.Path, metavar="OUTPUT", help="output directory of a run")
+    command.add_argument("target", type=pathlib.Path, metavar="OUT.xdmf")
+    command.add_argument("--csv", type=pathlib.Path, metavar="DIR", help="a new folder for tables: points and cells of each time")
+    command.add_argument("--force", action="store_true", help="replace OUT.xdmf if it is there")
+    command.set_defaults(call=_convert_series)
+
+
+def _said(lines):
+    for line in lines:
+        print(line)
     return 0
 
 
@@ -85,6 +113,12 @@ def _render(arguments):
     return _said([render.render(arguments.output, arguments.field, arguments.shear_time, arguments.file)])
 
 
+def _snapshots(arguments):
+    from . import snapshots
+
+    return _said([snapshots.draw_snapshots(arguments.output, arguments.case)])
+
+
 def _measure(arguments):
     run = arguments.run or arguments.output.resolve().name
     log = arguments.log or arguments.output.with_name(arguments.output.name + ".log")
@@ -92,12 +126,23 @@ def _measure(arguments):
     return _said([measured.add(arguments.case, arguments.output, run, arguments.at, arguments.made_by, commit, log)])
 
 
-def _convert(arguments):
-    from . import mesh
+def _convert_surface(arguments):
+    from . import convert_surface
 
-    n_points, n_triangles = mesh.convert(arguments.source, arguments.target)
-    print(f"{arguments.target}: {n_points} nodes, {n_triangles} triangles; now: tanktread mesh info {arguments.target}")
-    return 0
+    if arguments.target is None and not arguments.check_only:
+        raise observables.InputError(f"{arguments.source}: name the file to write, OUT, or give --check-only")
+    return _said(
+        convert_surface.convert(
+            arguments.source, None if arguments.check_only else arguments.target, arguments.scale, arguments.merge_tolerance,
+            arguments.body, arguments.ascii, arguments.gmsh_version, arguments.force,
+        )
+    )  # fmt: skip
+
+
+def _convert_series(arguments):
+    from . import convert_series
+
+    return _said(convert_series.convert(arguments.output, arguments.target, arguments.csv, arguments.force))
 
 
 def main():

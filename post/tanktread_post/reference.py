@@ -14,6 +14,9 @@ A compare.toml has a title, a source, and any of
     [[change]]           the relative change of a value from one run to another
     name, shear_time, from, to, band
 
+    [[snapshot]]         a moment of a run, for one picture of all of them (see snapshots.py)
+    run, shear_time, label, field (default "area_ratio")
+
 and, in a case whose tables study.toml lists (see study.py),
 
     [[value]]            a cell of a table, held against a reference

@@ -134,7 +134,7 @@ class Failures(OutsideTest):
         "no-force": "the array 'total_force' is missing; expected point data 'total_force' of 162 x 3 numbers (Float64); there are: memory",
         "scalar": "'total_force' has 1 components; expected point data 'total_force' of 162 x 3 numbers (Float64)",
         "float32": "array 'total_force' is of single precision (Float32), which has lost half of its digits; write it as Float64",
-        "text": "is written as text (ASCII), which loses digits; write it as binary or appended data",
+        "text": "is written as ASCII, which need not keep every bit; write it as binary or appended data",
         "nan": "'total_force' is not finite at node 17: (",
         "fewer": "3 nodes and 1 triangles; expected those of the packet it was given, 162 and 320",
         "turned": "not of the packet it was given: the triangles are others",

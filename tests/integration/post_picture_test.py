@@ -1,14 +1,13 @@
-"""Tests of plots, of the picture drawn without a screen (run under xvfb-run), and of mesh conversion."""
+"""Tests of plots, and of the picture drawn without a screen (run under xvfb-run)."""
 
 import os
 import unittest
 
 import matplotlib.image
-import meshio
 import numpy
-from post_fixture import ROOT, InFolder, octahedron, write_pictures, write_run
+from post_fixture import ROOT, InFolder, write_pictures, write_run
 
-from tanktread_post import mesh, plot
+from tanktread_post import plot
 
 
 class Plots(InFolder):
@@ -53,27 +52,6 @@ class Picture(InFolder):
 
     def test_refuses_a_field_that_is_not_there(self):
         self.assert_refused(["'strain'", "area_ratio"], self.render, field="strain")
-
-
-class Meshes(InFolder):
-    def test_an_stl_becomes_a_closed_surface(self):
-        points, triangles = octahedron(numpy.zeros(3), 5.0)
-        meshio.write(self.folder / "a.stl", meshio.Mesh(points, [("triangle", triangles)]), binary=True)
-        self.assertEqual(mesh.convert(self.folder / "a.stl", self.folder / "a.vtu"), (6, 8))
-        read = meshio.read(self.folder / "a.vtu")
-        self.assertEqual(read.points.dtype, numpy.float64)
-        # Every edge has two triangles that run through it in opposite directions: closed, and wound as before.
-        edges = {(t[k], t[(k + 1) % 3]) for t in read.cells_dict["triangle"].tolist() for k in range(3)}
-        self.assertEqual(len(edges), 24)
-        self.assertTrue(all((b, a) in edges for a, b in edges))
-        p = read.points[read.cells_dict["triangle"]]
-        volume = numpy.einsum("ni,ni->", p[:, 0], numpy.cross(p[:, 1], p[:, 2])) / 6
-        self.assertAlmostEqual(volume, 4 / 3 * 5**3, delta=1e-4)  # the coordinates of an STL are single precision
-
-    def test_refuses_what_has_no_triangles(self):
-        meshio.write(self.folder / "a.vtu", meshio.Mesh(numpy.zeros((2, 3)), [("line", numpy.array([[0, 1]]))]))
-        self.assert_refused(["no triangles", "line"], mesh.convert, self.folder / "a.vtu", self.folder / "b.vtu")
-        self.assert_refused("cannot be read", mesh.convert, self.folder / "none.stl", self.folder / "b.vtu")
 
 
 if __name__ == "__main__":

@@ -183,7 +183,7 @@ TEST(CaseErrors, Contradictions) {
       {least_case,
        {"membrane.elastic_law=neo-hookean", "membrane.area_ratio=1"},
        "contradicts elastic_law = \"neo-hookean\", which has none (it is of skalak)"},
-      {least_case, {"membrane.elastic_law=hookean", "membrane.capillary_modulus=E_s"}, "give \"G_s\""},
+      {least_case, {"membrane.elastic_law=hookean", "membrane.capillary_modulus=gamma"}, "give \"G_s\""},
       {droplet_case, {"membrane.capillary_modulus=G_s"}, "give \"gamma\""},
       {droplet_case, {"flow.start=developed"}, "no developed profile"},
       {droplet_case, {"flow.wall_speed=0.1"}, "give flow.shear_rate instead"},
@@ -239,9 +239,10 @@ TEST(CaseErrors, KeysOfTheSharedMembraneAreForWhomTheyFit) {
                                   "capsule.0.membrane.capillary_modulus=G_s"}),
               HasSubstr("membrane.area_ratio = 10.5: contradicts"));
   // The capsule that inherits a modulus it does not have is named.
-  EXPECT_THAT(refusal(full_case, {"capsule.0.membrane.elastic_law=neo-hookean"}),
-              HasSubstr("membrane.capillary_modulus = \"E_s\": contradicts elastic_law = \"neo-hookean\" of "
-                        "capsule 0"));
+  EXPECT_THAT(
+      refusal(full_case, {"capsule.0.membrane.elastic_law=interfacial-tension"}),
+      HasSubstr("membrane.capillary_modulus = \"E_s\": contradicts elastic_law = \"interfacial-tension\" of "
+                "capsule 0"));
 }
 
 TEST(CaseErrors, AllProblemsAreSaidTogether) {

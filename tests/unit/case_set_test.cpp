@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "driver/units.hpp"
 #include "tests/unit/case_samples.hpp"
 
 namespace {
@@ -80,6 +81,27 @@ TEST(CaseSet, UnknownKeysAreRefusedAsInAFile) {
             "--set flow.reynolds_nmber=1: unknown key; did you mean flow.reynolds_number?");
   EXPECT_THAT(refusal(least_case, {"capsule.0.raduis=1"}), HasSubstr("did you mean capsule.0.radius?"));
   EXPECT_THAT(refusal(least_case, {"flwo.box=[4, 4, 4]"}), HasSubstr("did you mean flow?"));
+}
+
+TEST(CaseSet, AnotherLawOverAnEcho) {
+  // The echo spells out area_ratio and capillary_modulus of the Skalak membrane that it was.
+  const auto skalak = parse(least_case);
+  const auto other = parse(to_toml(skalak), {"membrane.elastic_law=neo-hookean"});
+  EXPECT_EQ(other.capsules[0].membrane.elastic_law, "neo-hookean");
+  EXPECT_EQ(parameters(other).capsules[0].shear_modulus, parameters(skalak).capsules[0].shear_modulus);
+  // What is set by hand still contradicts, and so does what is no default.
+  EXPECT_THAT(refusal(to_toml(skalak), {"membrane.elastic_law=neo-hookean", "membrane.area_ratio=1"}),
+              HasSubstr("contradicts elastic_law"));
+  EXPECT_THAT(
+      refusal(to_toml(parse(least_case, {"membrane.area_ratio=3"})), {"membrane.elastic_law=neo-hookean"}),
+      HasSubstr("membrane.area_ratio = 3.0: contradicts elastic_law"));
+}
+
+TEST(CaseSet, WhatEveryCapsuleOverridesIsRefused) {
+  EXPECT_THAT(refusal(least_case, {"capsule.0.membrane.area_ratio=2", "membrane.area_ratio=3"}),
+              HasSubstr("--set membrane.area_ratio=3: has no effect, for every capsule has its own; set "
+                        "capsule.0.membrane.area_ratio"));
+  EXPECT_EQ(parse(full_case, {"membrane.capillary_number=0.7"}).capsules[1].membrane.capillary_number, 0.7);
 }
 
 TEST(CaseSet, WhatCannotBeSet) {

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <functional>
+#include <sstream>
 
 #include "tests/unit/exchange_samples.hpp"
 
@@ -14,36 +16,88 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// A .vtu in plain text, as another program may write it: two triangles on four points, with changes.
+std::string base64(const std::string& bytes) {
+  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t k = 0; k < bytes.size(); k += 3) {
+    unsigned group = 0;
+    for (std::size_t j = k; j < k + 3; ++j)
+      group = group << 8 | (j < bytes.size() ? static_cast<unsigned char>(bytes[j]) : 0u);
+    for (std::size_t digit = 0; digit < 4; ++digit) {
+      text += k + digit > bytes.size() ? '=' : digits[group >> (18 - 6 * digit) & 63];
+    }
+  }
+  return text;
+}
+
+template <class Number>
+std::string encoded(const std::string& values) {
+  std::istringstream stream(values);
+  std::string bytes(4, ' ');
+  for (long double value = 0; stream >> value;) {  // which holds every 64-bit integer
+    const auto number = static_cast<Number>(value);
+    bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+  }
+  const auto length = static_cast<std::uint32_t>(bytes.size() - 4);
+  std::memcpy(bytes.data(), &length, 4);
+  return base64(bytes);
+}
+
+/// Numbers as VTK has them within the XML: a 32-bit length in bytes, then the numbers, in base64.
+std::string binary(const std::string& type, const std::string& values) {
+  if (type == "Float64") return encoded<double>(values);
+  if (type == "Float32") return encoded<float>(values);
+  if (type == "Int64") return encoded<std::int64_t>(values);
+  if (type == "Int32") return encoded<std::int32_t>(values);
+  if (type == "UInt64") return encoded<std::uint64_t>(values);
+  if (type == "UInt32") return encoded<std::uint32_t>(values);
+  if (type == "Int16") return encoded<std::int16_t>(values);
+  if (type == "UInt16") return encoded<std::uint16_t>(values);
+  if (type == "Int8") return encoded<std::int8_t>(values);
+  if (type == "UInt8") return encoded<std::uint8_t>(values);
+  return values;
+}
+
+/// A .vtu as another program may write it, its numbers in base64: two triangles on four points, with changes.
 struct PlainSurface {
   std::string points_type = "Float64", connectivity = "0 1 2 0 2 3", offsets = "3 6", types = "5 5";
   std::string point_data, cell_data, field_data;
 
   std::string text() const {
-    return "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\"><UnstructuredGrid><FieldData>" + field_data +
-           "</FieldData><Piece NumberOfPoints=\"4\" NumberOfCells=\"2\"><PointData>" + point_data +
-           "</PointData><CellData>" + cell_data + "</CellData><Points>" + "<DataArray type=\"" + points_type +
-           "\" NumberOfComponents=\"3\" format=\"ascii\">"
-           "0 0 0 1 0 0 1 1 0 0 1 0.5</DataArray></Points><Cells>"
-           "<DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">" +
-           connectivity +
+    return "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
+           "byte_order=\"LittleEndian\"><UnstructuredGrid><FieldData>" +
+           field_data + "</FieldData><Piece NumberOfPoints=\"4\" NumberOfCells=\"2\"><PointData>" +
+           point_data + "</PointData><CellData>" + cell_data + "</CellData><Points>" + "<DataArray type=\"" +
+           points_type + "\" NumberOfComponents=\"3\" format=\"binary\">" +
+           binary(points_type, "0 0 0 1 0 0 1 1 0 0 1 0.5") +
+           "</DataArray></Points><Cells>"
+           "<DataArray type=\"Int32\" Name=\"connectivity\" format=\"binary\">" +
+           binary("Int32", connectivity) +
            "</DataArray>"
-           "<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">" +
-           offsets +
+           "<DataArray type=\"Int32\" Name=\"offsets\" format=\"binary\">" +
+           binary("Int32", offsets) +
            "</DataArray>"
-           "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">" +
-           types +
+           "<DataArray type=\"UInt8\" Name=\"types\" format=\"binary\">" +
+           binary("UInt8", types) +
            "</DataArray>"
            "</Cells></Piece></UnstructuredGrid></VTKFile>\n";
   }
 };
 
 std::string array(const std::string& type, const std::string& name, const std::string& values) {
-  return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" format=\"ascii\">" + values + "</DataArray>";
+  return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" format=\"binary\">" + binary(type, values) +
+         "</DataArray>";
+}
+
+/// Field data of one number, 3.
+std::string single_number(const std::string& type, const std::string& name) {
+  return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfTuples=\"1\" format=\"binary\">" +
+         binary(type, "3") + "</DataArray>";
 }
 
 std::string plain_grid(const std::string& attributes, const std::string& cell_data = "") {
-  return "<VTKFile type=\"ImageData\" version=\"1.0\"><ImageData WholeExtent=\"2 3 0 1 0 0\" Origin=\"0.5 0 "
+  return "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\"><ImageData WholeExtent=\"2 "
+         "3 0 1 0 0\" Origin=\"0.5 0 "
          "0\" "
          "Spacing=\"2 1 1\" " +
          attributes + "><Piece Extent=\"2 3 0 1 0 0\"><PointData>" + array("Float64", "density", "1 2 3 4") +
@@ -87,6 +141,15 @@ TEST_F(Reading, RefusesWhatIsNotThere) {
   EXPECT_THAT(error_of([&] { read_surface(folder_ / "none.vtu"); }), HasSubstr("none.vtu: no such file"));
   EXPECT_THAT(error_of([&] { read_grid(folder_ / "none.vti"); }), HasSubstr("none.vti: no such file"));
   EXPECT_THAT(error_of([&] { read_surface(folder_ / ""); }), HasSubstr("is a folder, not a file"));
+}
+
+TEST_F(Reading, TakesNumbersAsTextOnlyWhenAsked) {
+  PlainSurface plain;
+  plain.point_data = "<DataArray type=\"Float64\" Name=\"load\" format=\"ascii\">1 2 3 0.1</DataArray>";
+  EXPECT_THAT(surface_error(plain.text()),
+              AllOf(HasSubstr("array 'load' is written as ASCII"), HasSubstr("write it as binary")));
+  EXPECT_EQ(surface_error(plain.text(), true), "(no error)");
+  EXPECT_THAT(surface_.point_data.at(0).values, ElementsAre(1, 2, 3, 0.1));
 }
 
 TEST_F(Reading, RefusesFilesOfAnotherKind) {
@@ -200,8 +263,7 @@ TEST_F(Reading, WidensOtherTypesOnlyWhenAsked) {
     ASSERT_EQ(surface_.point_data.size(), 1U);
     EXPECT_THAT(surface_.point_data[0].values, ElementsAre(1, 2, 3, 44)) << type;
     surface.point_data.clear();
-    surface.field_data = "<DataArray type=\"" + std::string(type) +
-                         "\" Name=\"number\" NumberOfTuples=\"1\" format=\"ascii\">3</DataArray>";
+    surface.field_data = single_number(type, "number");
     EXPECT_THAT(surface_error(surface.text()), HasSubstr("field data array 'number' is of type ")) << type;
     EXPECT_EQ(surface_error(surface.text(), true), "(no error)") << type;
     EXPECT_THAT(surface_.field_data.at(0).values, ElementsAre(3)) << type;
@@ -221,8 +283,8 @@ TEST_F(Reading, RefusesIntegersThatADoubleCannotHold) {
 TEST_F(Reading, LeavesOutTextOnlyWhenAsked) {
   PlainSurface surface;
   surface.field_data =
-      "<Array type=\"String\" Name=\"remark\" NumberOfTuples=\"1\" format=\"ascii\">104 105 0</Array>"
-      "<DataArray type=\"Float64\" Name=\"step\" NumberOfTuples=\"1\" format=\"ascii\">3</DataArray>";
+      "<Array type=\"String\" Name=\"remark\" NumberOfTuples=\"1\" format=\"ascii\">104 105 0</Array>" +
+      single_number("Float64", "step");
   EXPECT_THAT(surface_error(surface.text()),
               HasSubstr("field data array 'remark' holds string, not numbers; remove"));
   EXPECT_EQ(surface_error(surface.text(), true), "(no error)");

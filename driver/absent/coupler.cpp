@@ -1,0 +1,23 @@
+// A program without the coupler: a case may name any kernel.
+#include "driver/missing_command.hpp"
+#include "driver/names.hpp"
+
+namespace tanktread::driver {
+
+void add_coupler_command(CLI::App& app, int&) {
+  add_missing_command(app, "coupler", "the coupler");
+}
+
+void add_noise_study(CLI::App& study, int&) {
+  add_missing_command(study, "strain-rate-noise", "the coupler");
+}
+
+std::vector<std::string> kernel_names() {
+  return {};
+}
+
+std::optional<double> kernel_half_width(const std::string&) {
+  return std::nullopt;
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,18 @@
+// A program without one of the components that a run puts together.
+#include "driver/missing_command.hpp"
+
+namespace tanktread::driver {
+
+void add_run_command(CLI::App& app, int&) {
+  add_missing_command(app, "run", "the fluid, the membrane and the coupler");
+}
+
+void add_plan_command(CLI::App& app, int&) {
+  add_missing_command(app, "plan", "the fluid, the membrane and the coupler");
+}
+
+void add_replay_command(CLI::App& app, int&) {
+  add_missing_command(app, "replay", "the fluid, the membrane and the coupler");
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,189 @@
+// The stages: each component by itself from files, which must be the fused run bit for bit, and what they
+// refuse.
+#include "exchange/vtk_files.hpp"
+#include "tests/integration/stages_fixture.hpp"
+
+namespace tanktread::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+TEST_F(Stages, StagedEqualsFused) {
+  record();
+  stage({"membrane", "--out", path("membrane.vtu")});
+  stage({"fluid", "--steps", "0", "--out", path("fluid.vti"), "--fields", path("flow.vti")});
+  for (int step = 0; step < 20; ++step) {
+    stage({"coupler", "interpolate", "--in", path("membrane.vtu"), "--grid", path("flow.vti"), "--out",
+           path("velocity.vtu")});
+    stage({"membrane", "--in", path("velocity.vtu"), "--move", "--state", path("membrane.vtu"), "--out",
+           path("membrane.vtu")});
+    stage({"coupler", "spread", "--in", path("membrane.vtu"), "--out", path("force.vti")});
+    stage({"fluid", "--state", path("fluid.vti"), "--force", path("force.vti"), "--out", path("fluid.vti"),
+           "--fields", path("flow.vti")});
+  }
+  // Whole files, byte for byte: every array with its name, shape and bits.
+  EXPECT_TRUE(read_file(path("membrane.vtu")) == read_file(path("record/end/membrane.vtu")));
+  EXPECT_TRUE(read_file(path("fluid.vti")) == read_file(path("record/end/fluid.vti")));
+  EXPECT_THAT(call({"diff", path("membrane.vtu"), path("record/end/membrane.vtu")}), HasSubstr("identical"));
+}
+
+TEST_F(Stages, ThroughFilesEqualsInMemory) {
+  call({"run", path("case.toml"), "--output", path("memory")});
+  call({"run", path("case.toml"), "--output", path("files"), "--through-files"});
+  for (const char* packet :
+       {"grid_velocity.vti", "node_velocity.vtu", "positions.vtu", "node_force.vtu", "grid_force.vti"}) {
+    EXPECT_TRUE(std::filesystem::exists(directory_ / "files" / "packets" / packet)) << packet;
+  }
+  std::filesystem::remove_all(directory_ / "files" / "packets");
+  EXPECT_EQ(result_files(directory_ / "memory"), result_files(directory_ / "files"));
+  for (const char* file : {"fluid.vti", "membrane.vtu"}) {
+    const auto place = std::filesystem::path("checkpoints/step_0000000020") / file;
+    EXPECT_TRUE(read_file(directory_ / "memory" / place) == read_file(directory_ / "files" / place)) << file;
+  }
+}
+
+TEST_F(Stages, AnyFileOfARunIsAnInput) {
+  call({"run", path("case.toml"), "--output", path("out"), "--set", "output.fluid_every=0.04"});
+  const auto membrane = path("out/membrane/membrane_0000000020.vtu"),
+             flow = path("out/fluid/fluid_0000000020.vti");
+  stage({"coupler", "interpolate", "--in", membrane, "--grid", flow, "--out", path("velocity.vtu")});
+  stage({"coupler", "spread", "--in", membrane, "--out", path("force.vti"), "--set", "coupler.kernel=roma3"});
+  stage({"membrane", "--in", membrane, "--out", path("forces.vtu")});
+  stage({"fluid", "--state", path("out/checkpoints/step_0000000020/fluid.vti"), "--force", flow, "--steps",
+         "3", "--out", path("fluid.vti")});
+  // The spread keeps the sum of the forces, whatever the kernel: what is left is the rounding of some 200
+  // nodal forces and 64 weights each, relative to the sum of their sizes.
+  const auto forces = exchange::read_surface(membrane).point_data[2].values,
+             grid = exchange::read_grid(path("force.vti")).point_data[0].values;
+  double size = 0, sum = 0;
+  for (std::size_t k = 0; k < forces.size(); ++k) size += std::abs(forces[k]), sum += forces[k];
+  for (const double value : grid) sum -= value;
+  EXPECT_GT(size, 0);
+  EXPECT_LT(std::abs(sum), 1e-13 * size);
+}
+
+TEST_F(Stages, FluidAloneIsCouetteFlow) {
+  // Walls at 0 and 20 with -+0.02: u_x = 0.02 (z - 10)/10. From rest, the slowest mode dies as exp(-pi^2 nu
+  // t/L^2): with nu = 1/6, L = 20 and 12000 steps to 1e-21 of it, so that only rounding is left.
+  stage({"fluid", "--steps", "12000", "--out", path("fluid.vti"), "--fields", path("flow.vti")});
+  const auto flow = exchange::read_grid(path("flow.vti"));
+  const auto& velocity = exchange::find_array(flow.point_data, "velocity", "flow").values;
+  for (int z = 0; z < 20; ++z) {
+    EXPECT_NEAR(velocity[static_cast<std::size_t>(3 * z * 26 * 18)], 0.02 * (z + 0.5 - 10) / 10, 1e-12) << z;
+  }
+}
+
+TEST_F(Stages, MotionFromASeriesIsThatOfTheRun) {
+  // A file a step, so that nothing is interpolated: the forces are then those of the run, without any fluid.
+  call({"run", path("case.toml"), "--output", path("out"), "--set", "output.membrane_every=0.002"});
+  stage({"membrane", "--motion", path("out/membrane.pvd"), "--out", path("motion")});
+  for (const char* file : {"membrane_0000000000.vtu", "membrane_0000000007.vtu", "membrane_0000000020.vtu"}) {
+    const auto run = exchange::read_surface(directory_ / "out" / "membrane" / file);
+    const auto motion = exchange::read_surface(directory_ / "motion" / "membrane" / file);
+    EXPECT_EQ(run.points, motion.points);
+    for (const char* array : {"total_force", "elastic_force"}) {
+      EXPECT_EQ(exchange::find_array(run.point_data, array, file).values,
+                exchange::find_array(motion.point_data, array, file).values);
+    }
+    EXPECT_EQ(exchange::find_array(run.cell_data, "viscous_stress", file).values,
+              exchange::find_array(motion.cell_data, "viscous_stress", file).values);
+  }
+}
+
+TEST_F(Stages, TwistReturnsToTheStart) {
+  stage({"membrane", "--motion", "twist", "--amplitude-deg", "20", "--period", "0.4", "--shear-time", "0.4",
+         "--every", "0.2", "--out", path("twist")});
+  const auto start = exchange::read_surface(path("twist/membrane/membrane_0000000000.vtu"));
+  const auto half = exchange::read_surface(path("twist/membrane/membrane_0000000100.vtu"));
+  const auto end = exchange::read_surface(path("twist/membrane/membrane_0000000200.vtu"));
+  double largest = 0, left = 0;
+  for (std::size_t k = 0; k < start.points.size(); ++k) {
+    largest = std::max(largest, std::abs(half.points[k] - start.points[k]));
+    left = std::max(left, std::abs(end.points[k] - start.points[k]));
+  }
+  // Half way the equator is turned by 2 A0 = 40 degrees, 2 a sin(20 degrees) = 2.4 grid steps for a = 3.5; at
+  // the end 1 - cos(2 pi) is rounding.
+  EXPECT_GT(largest, 2.0);
+  EXPECT_LT(left, 1e-12);
+}
+
+TEST_F(Stages, NothingIsWrittenForBadInput) {
+  record();
+  const auto force = path("record/node_force/node_force_0000000003.vtu"),
+             positions = path("record/positions/positions_0000000003.vtu");
+  EXPECT_THAT(stage({"coupler", "spread", "--in", positions, "--out", path("none")}, 2),
+              HasSubstr("positions_0000000003.vtu: array 'total_force' is missing"));
+  EXPECT_THAT(stage({"coupler", "spread", "--in", path("nowhere.vtu"), "--out", path("none")}, 2),
+              HasSubstr("nowhere.vtu: no such file"));
+  EXPECT_THAT(stage({"membrane", "--in", positions, "--move", "--out", path("none")}, 2),
+              HasSubstr("array 'velocity' is missing"));
+  EXPECT_THAT(stage({"membrane", "--in", positions, "--state", force, "--out", path("none")}, 2),
+              HasSubstr("array 'history_0' is missing"));
+  EXPECT_THAT(
+      stage({"membrane", "--in", positions, "--out", path("none"), "--set", "capsule.1.mesh.level=2"}, 2),
+      HasSubstr("capsule 1 has 42 nodes and 80 triangles, that of the case 162 and 320"));
+  EXPECT_THAT(stage({"fluid", "--force", path("record/grid_force/grid_force_0000000003.vti"), "--out",
+                     path("none"), "--set", "flow.box=[26,18,22]"},
+                    2),
+              AllOf(HasSubstr("a grid of 26 x 18 x 20 nodes"), HasSubstr("flow.box = [26, 18, 22]")));
+  EXPECT_THAT(stage({"fluid", "--state", path("record/begin/fluid.vti"), "--out", path("none"), "--set",
+                     "flow.box=[26,18,22]"},
+                    2),
+              HasSubstr("26 x 18 x 20 nodes, the case has 26 x 18 x 22"));
+  EXPECT_FALSE(std::filesystem::exists(path("none")));
+}
+
+/// A node_force packet of the record, changed.
+template <class Change>
+void change_packet(const std::string& file, Change change) {
+  auto packet = exchange::read_surface(file);
+  change(packet);
+  exchange::write_surface(file, packet);
+}
+
+TEST_F(Stages, RefusesWhatIsNotThePacketThatItShouldBe) {
+  record();
+  const auto file = path("record/node_force/node_force_0000000003.vtu");
+  const auto refusal = [&] { return stage({"coupler", "spread", "--in", file, "--out", path("none")}, 2); };
+  change_packet(file, [](auto& packet) { packet.field_data[1].values = {2}; });
+  EXPECT_THAT(refusal(), HasSubstr("schema version 2 cannot be read, only up to 1"));
+  change_packet(file, [](auto& packet) {
+    packet.field_data[1].values = {1};
+    packet.field_data[0].values = {2.5};
+  });
+  EXPECT_THAT(refusal(), HasSubstr("'step' must be one whole number"));
+  change_packet(file, [](auto& packet) {
+    packet.field_data[0].values = {3};
+    packet.point_data[0].components = 1;
+    packet.point_data[0].values.resize(204);
+  });
+  EXPECT_THAT(refusal(), HasSubstr("the array 'total_force' has 1 components; a vector has 3"));
+}
+
+TEST_F(Stages, RefusesAFlippedBit) {
+  record();
+  const auto file = path("record/node_force/node_force_0000000003.vtu");
+  auto bytes = read_file(file);
+  bytes[bytes.find("<AppendedData") + 600] ^= 1;  // among the numbers of total_force
+  std::ofstream(file, std::ios::binary) << bytes;
+  EXPECT_THAT(stage({"coupler", "spread", "--in", file, "--out", path("none")}, 2),
+              HasSubstr("the contents are not those that were written"));
+  EXPECT_THAT(call({"replay", path("record"), "--only", "membrane"}, 2),
+              HasSubstr("node_force_0000000003.vtu"));
+}
+
+TEST_F(Stages, AMoveTooLongOrAnElementTurnedOverIsAFailedRun) {
+  record();
+  const auto velocity = path("record/node_velocity/node_velocity_0000000003.vtu"),
+             positions = path("record/positions/positions_0000000003.vtu");
+  change_packet(velocity, [](auto& packet) { packet.point_data[0].values[30] = 0.75; });
+  EXPECT_THAT(stage({"membrane", "--in", velocity, "--move", "--out", path("none")}, 3),
+              AllOf(HasSubstr("node 10 of capsule 0"), HasSubstr("would move by 0.75")));
+  change_packet(positions, [](auto& packet) { packet.points[2] += 6; });
+  EXPECT_THAT(stage({"membrane", "--in", positions, "--out", path("none")}, 3), HasSubstr("element"));
+  EXPECT_FALSE(std::filesystem::exists(path("none")));
+}
+
+}  // namespace
+}  // namespace tanktread::testing
