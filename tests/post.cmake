@@ -17,6 +17,7 @@ function(tanktread_python_test name)
 endfunction()
 
 tanktread_python_test(cases_plan ARGUMENTS $<TARGET_FILE:tanktread>)
+tanktread_python_test(cases_python_membrane ARGUMENTS $<TARGET_FILE:tanktread>)
 tanktread_python_test(cases_run)
 tanktread_python_test(cases_study ARGUMENTS $<TARGET_FILE:tanktread>)
 tanktread_python_test(include_graph)
