@@ -4,6 +4,7 @@
 
 #include "driver/stages/packet_files.hpp"
 #include "driver/stages/phases.hpp"
+#include "driver/stages/saved_state.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
@@ -13,10 +14,6 @@ using exchange::Array;
 
 void append(std::vector<double>& values, const double* data, Eigen::Index size) {
   values.insert(values.end(), data, data + size);
-}
-
-std::string history_name(std::size_t capsule) {
-  return fmt::format("history_{}", capsule);
 }
 
 NodeVectors elastic_forces(const std::vector<membrane::Membrane>& membranes) {
@@ -70,11 +67,6 @@ void add_state(exchange::SurfacePacket& file, const std::vector<membrane::Membra
   for (std::size_t k = 0; k < membranes.size(); ++k) {
     file.field_data.push_back({history_name(k), 1, membranes[k].history()});
   }
-}
-
-std::vector<double> history_of(const exchange::SurfacePacket& file, std::size_t capsule,
-                               const std::string& name) {
-  return exchange::find_array(file.field_data, history_name(capsule), name).values;
 }
 
 void restore_histories(std::vector<membrane::Membrane>& membranes, const exchange::SurfacePacket& file,

@@ -26,10 +26,6 @@ exchange::SurfacePacket membrane_file(const std::vector<membrane::Membrane>& mem
 /// (Membrane::history()).
 void add_state(exchange::SurfacePacket& file, const std::vector<membrane::Membrane>& membranes);
 
-/// The history of one capsule. @throws exchange::FileError if it is missing
-std::vector<double> history_of(const exchange::SurfacePacket& file, std::size_t capsule,
-                               const std::string& name);
-
 /// Takes the histories over. @param name of the file, for messages
 /// @throws exchange::FileError if a history is missing or is not one of these membranes
 void restore_histories(std::vector<membrane::Membrane>& membranes, const exchange::SurfacePacket& file,
