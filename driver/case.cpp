@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "driver/case_checks.hpp"
+#include "driver/case_programs.hpp"
 #include "driver/case_reader.hpp"
 #include "driver/si.hpp"
 
@@ -70,8 +71,10 @@ Case parse_case(const std::string& text, const std::string& name, const std::fil
   auto the_case = case_of(reader);
   the_case.file = directory / std::filesystem::path(name).filename();
   find_mesh_files(the_case, directory);
+  find_program_files(the_case, directory);
   check_presence(reader, the_case);
   check_consistency(reader, the_case);
+  check_programs(reader, the_case);
   // What follows compares and divides numbers, each of which must be right by itself first.
   if (!reader.has_problems()) check_geometry(reader, the_case);
   reader.finish();

@@ -35,6 +35,7 @@ struct FlowCase {
   std::array<double, 3> body_force = {0, 0, 0};
   bool inertia = true;
   double speed_limit = 0.3;
+  std::vector<std::string> command;  ///< a program in the place of the flow solver; empty: none
 
   bool operator==(const FlowCase&) const = default;
 };
@@ -63,6 +64,7 @@ struct MembraneCase {
   std::string capillary_modulus = "E_s";  ///< E_s = 2 G_s | G_s | gamma (interfacial-tension)
   double area_ratio = 1.0;
   double poisson_ratio = 0.5;
+  std::vector<std::string> command;  ///< a program in the place of the laws; empty: none
   ViscousCase viscous;
 
   bool operator==(const MembraneCase&) const = default;
@@ -95,7 +97,9 @@ struct CouplerCase {
 struct RunCase {
   double shear_time = 10.0;
   int threads = 0;
-  double checkpoint_every = 1.0;  ///< shear times
+  double checkpoint_every = 1.0;   ///< shear times
+  double command_time_limit = 60;  ///< seconds a program may take for an answer
+  std::string command_directory;   ///< of the packets for programs, absolute; "": a fresh one
 
   bool operator==(const RunCase&) const = default;
 };

@@ -41,10 +41,22 @@ std::string text_of(const std::string& value) {
 }
 
 template <typename Element, std::size_t n>
+std::string text_of(const std::array<Element, n>& values);
+
+template <typename List>
+std::string list_text(const List& values) {
+  std::string text;
+  for (const auto& value : values) text += (text.empty() ? "" : ", ") + text_of(value);
+  return "[" + text + "]";
+}
+
+std::string text_of(const std::vector<std::string>& values) {
+  return list_text(values);
+}
+
+template <typename Element, std::size_t n>
 std::string text_of(const std::array<Element, n>& values) {
-  std::string text = "[";
-  for (std::size_t k = 0; k < n; ++k) text += (k == 0 ? "" : ", ") + text_of(values[k]);
-  return text + "]";
+  return list_text(values);
 }
 
 }  // namespace

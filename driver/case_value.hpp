@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace tanktread::driver {
 
@@ -12,10 +13,10 @@ using Ranges3 = std::array<std::array<int, 2>, 3>;
 
 /// Nothing (the key is absent), or what the key holds. The alternatives stand in the order of `Kind`.
 using Value = std::variant<std::monostate, bool, int, double, std::string, std::array<int, 3>,
-                           std::array<double, 3>, Ranges3>;
+                           std::array<double, 3>, Ranges3, std::vector<std::string>>;
 
 /// What a key holds.
-enum class Kind { none, boolean, integer, real, text, integers3, reals3, ranges3 };
+enum class Kind { none, boolean, integer, real, text, integers3, reals3, ranges3, texts };
 
 /// There is a value.
 inline bool is_given(const Value& value) {

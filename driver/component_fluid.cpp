@@ -1,4 +1,5 @@
 #include "driver/components.hpp"
+#include "driver/outside/outside_fluid.hpp"
 #include "fluid/lattice_boltzmann.hpp"
 
 namespace tanktread::driver {
@@ -24,7 +25,9 @@ std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const FlowParamet
     }
     settings.walls = walls;
   }
-  return fluid::make_lattice_boltzmann(settings);
+  auto solver = fluid::make_lattice_boltzmann(settings);
+  if (flow.command.empty()) return solver;
+  return std::make_unique<OutsideFluid>(the_case, parameters, *solver);
 }
 
 }  // namespace tanktread::driver

@@ -40,12 +40,17 @@ std::vector<membrane::TriangleMesh> reference_meshes(const Case& the_case) {
   return meshes;
 }
 
-std::vector<membrane::Membrane> make_membranes(const Case& the_case, const Parameters& parameters,
-                                               const std::vector<membrane::TriangleMesh>& meshes) {
-  std::vector<membrane::Membrane> membranes;
+std::vector<CapsuleMembrane> make_membranes(const Case& the_case, const Parameters& parameters,
+                                            const std::vector<membrane::TriangleMesh>& meshes) {
+  std::vector<CapsuleMembrane> membranes;
   for (std::size_t k = 0; k < meshes.size(); ++k) {
-    membranes.emplace_back(meshes[k], elastic_law(the_case.capsules[k].membrane, parameters.capsules[k]),
-                           viscous_law(parameters.capsules[k]), the_case.run.threads);
+    const bool has_program = !the_case.capsules[k].membrane.command.empty();
+    membrane::Membrane membrane(meshes[k], elastic_law(the_case.capsules[k].membrane, parameters.capsules[k]),
+                                has_program ? nullptr : viscous_law(parameters.capsules[k]),
+                                the_case.run.threads);
+    membranes.emplace_back(
+        std::move(membrane),
+        has_program ? std::make_unique<OutsideMembrane>(the_case, parameters, k) : nullptr);
   }
   return membranes;
 }

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "coupler/coupler.hpp"
+#include "driver/capsule_membrane.hpp"
 #include "driver/case.hpp"
 #include "driver/units.hpp"
 #include "fluid/fluid.hpp"
-#include "membrane/membrane.hpp"
 
 namespace tanktread::driver {
 
-/// The flow solver of a case, at its start.
+/// The flow solver of a case, at its start. @throws InputError if it is a program that cannot be started
 std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const FlowParameters& parameters);
 
 /// The coupler of a case, without stencils.
@@ -25,7 +25,8 @@ membrane::TriangleMesh reference_mesh(const CapsuleCase& capsule);
 std::vector<membrane::TriangleMesh> reference_meshes(const Case& the_case);
 
 /// The membranes of a case at rest. @param meshes the reference mesh of each capsule
-std::vector<membrane::Membrane> make_membranes(const Case& the_case, const Parameters& parameters,
-                                               const std::vector<membrane::TriangleMesh>& meshes);
+/// @throws InputError if a program in the place of a membrane cannot be started
+std::vector<CapsuleMembrane> make_membranes(const Case& the_case, const Parameters& parameters,
+                                            const std::vector<membrane::TriangleMesh>& meshes);
 
 }  // namespace tanktread::driver

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "driver/case_programs.hpp"
 #include "driver/echo_capsule.hpp"
 #include "driver/progress.hpp"
 #include "driver/schedule.hpp"
@@ -22,6 +23,7 @@ void put_flow(EchoTable& table, const Subject& subject) {
   const double n_nodes = static_cast<double>(flow.box[0]) * flow.box[1] * flow.box[2];
   table.section("flow");
   table.row("kind", flow.kind, "", kind_note(flow));
+  table.row("program", short_text(flow.command), "", "", !flow.command.empty());
   table.row("start", flow.start, "", flow.inertia ? "" : "no inertia: Stokes flow");
   table.row("box", fmt::format("{} x {} x {}", flow.box[0], flow.box[1], flow.box[2]), "",
             fmt::format("{:.3g} million nodes", 1e-6 * n_nodes));
@@ -100,12 +102,14 @@ std::string bytes_text(double bytes) {
   return bytes >= 1e9 ? fmt::format("{:.2f} GB", 1e-9 * bytes) : fmt::format("{:.1f} MB", 1e-6 * bytes);
 }
 
-void put_cost(EchoTable& table, const Cost& cost) {
+void put_cost(EchoTable& table, const Cost& cost, bool with_program) {
   table.section("cost");
   table.row("memory", bytes_text(cost.memory_bytes), "", "about", cost.memory_bytes > 0);
   table.row("disk", bytes_text(cost.disk_bytes), "", "about, with two checkpoints", cost.disk_bytes > 0);
   table.row("run time", cost.mlups > 0 ? duration_text(cost.run_seconds) : "not measured", "",
-            cost.mlups > 0 ? fmt::format("{:.1f} MLUPS, measured now", cost.mlups) : "");
+            cost.mlups > 0 ? fmt::format("{:.1f} MLUPS, measured now", cost.mlups)
+            : with_program ? "a program has its own time: the run will tell"
+                           : "");
 }
 
 }  // namespace
@@ -121,7 +125,7 @@ std::string echo(const Case& the_case, const Parameters& parameters, const Cost&
     put_capsule(table, subject, k, k < mean_edges.size() ? mean_edges[k] : 0.0);
   }
   put_run(table, subject);
-  put_cost(table, cost);
+  put_cost(table, cost, has_program(the_case));
   for (const auto& warning : warnings) table.paragraph("warning: " + warning);
   return table.text();
 }

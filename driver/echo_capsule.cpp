@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "driver/case_programs.hpp"
 #include "driver/stability.hpp"
 
 namespace tanktread::driver {
@@ -78,12 +79,14 @@ void put_capsule(EchoTable& table, const Subject& subject, std::size_t number_of
   }
   table.row("mean mesh edge", fmt::format("{:.4g}", mean_edge), in_si(subject, mean_edge, metre, "m"),
             "grid steps; 0.5 to 2 is good", mean_edge > 0);
-  table.row("elastic law", the_capsule.membrane.elastic_law, "",
+  const bool has_program = !the_capsule.membrane.command.empty();
+  table.row("membrane program", short_text(the_capsule.membrane.command), "", "", has_program);
+  table.row(has_program ? "moduli by elastic law" : "elastic law", the_capsule.membrane.elastic_law, "",
             the_capsule.membrane.elastic_law == "skalak"
                 ? fmt::format("C = {:.6g}", the_capsule.membrane.area_ratio)
                 : "");
   put_moduli(table, subject, capsule);
-  put_viscosity(table, subject, capsule, the_capsule.membrane.viscous);
+  if (!has_program) put_viscosity(table, subject, capsule, the_capsule.membrane.viscous);
   table.row("viscosity ratio lambda", number(capsule.viscosity_ratio), "", "mu_i/mu_o");
 }
 

@@ -56,6 +56,19 @@ std::optional<std::array<Element, n>> array_of(const toml::node& node, const Key
   return elements;
 }
 
+/// An array of any length that holds texts only.
+std::optional<std::vector<std::string>> texts_of(const toml::node& node, const Key& key) {
+  const auto* array = node.as_array();
+  if (array == nullptr) return std::nullopt;
+  std::vector<std::string> texts;
+  for (const auto& element : *array) {
+    const auto text = text_of(element, key);
+    if (!text) return std::nullopt;
+    texts.push_back(*text);
+  }
+  return texts;
+}
+
 template <typename Held>
 Value to_value(const std::optional<Held>& held) {
   return held ? Value(*held) : Value();
@@ -82,6 +95,8 @@ Value value_of(const toml::node& node, const Key& key) {
     case Kind::ranges3:
       return to_value(array_of<std::array<int, 2>, 3>(
           node, key, [](const toml::node& n, const Key& k) { return array_of<int, 2>(n, k, integer_of); }));
+    case Kind::texts:
+      return to_value(texts_of(node, key));
   }
   return {};
 }

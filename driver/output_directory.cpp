@@ -34,14 +34,14 @@ DirectoryLock::DirectoryLock(const std::filesystem::path& directory) {
   std::filesystem::create_directories(directory, error);
   descriptor_ = open((directory / lock_name).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
   if (error || descriptor_ < 0) {
-    throw InputError(fmt::format("{}: the output directory cannot be written: {}; choose another",
+    throw InputError(fmt::format("{}: the directory cannot be written: {}; choose another",
                                  directory.string(), error ? error.message() : std::strerror(errno)));
   }
   if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
     close(descriptor_);
     throw InputError(
         fmt::format("{}: another tanktread process is at work in it; wait for it, stop it, or choose "
-                    "another output directory",
+                    "another directory",
                     directory.string()));
   }
 }

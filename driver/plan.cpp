@@ -5,6 +5,7 @@
 
 #include <chrono>
 
+#include "driver/case_programs.hpp"
 #include "driver/components.hpp"
 #include "driver/schedule.hpp"
 #include "driver/step.hpp"
@@ -59,7 +60,9 @@ Cost predict_cost(const Case& the_case, const Parameters& parameters,
   // The lattice, once more while a checkpoint is written; about 2 kB a membrane node.
   cost.memory_bytes = 2 * n_nodes * fluid::lattice_boltzmann_memory_per_node + 2048 * membrane_nodes;
   // What does not fit is not tried: the system would end the program without a word.
-  if (cost.memory_bytes < physical_memory_bytes()) cost.mlups = measure_speed(the_case, parameters, meshes);
+  // Nor is a program of the user's, which a run starts once.
+  if (cost.memory_bytes < physical_memory_bytes() && !has_program(the_case))
+    cost.mlups = measure_speed(the_case, parameters, meshes);
   const double n_steps = static_cast<double>(steps_of(the_case.run.shear_time, parameters));
   if (cost.mlups > 0) cost.run_seconds = 1e-6 * n_steps * n_nodes / cost.mlups;
 

@@ -132,11 +132,12 @@ int run_new(const Plan& plan, const RunOptions& options) {
   const SignalGuard guard;
   check_output_directory(options.output, options.force);
   check_packets(options.packets, 0, steps_of(plan.the_case.run.shear_time, plan.parameters));
+  // Before anything is written: a program may not start, a mesh may not fit.
+  auto system = make_system(plan.the_case, plan.parameters, plan.meshes);
   const DirectoryLock lock(options.output);
   if (options.force) remove_earlier_run(options.output);
   remove_temporary_files(options.output);
   write_echo(plan, options.output);
-  auto system = make_system(plan.the_case, plan.parameters, plan.meshes);
   Output output(plan.the_case, plan.parameters, options.output);
   output.begin();
   output.write(system, false);

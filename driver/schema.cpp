@@ -110,6 +110,8 @@ std::string allowed_text(const Key& key) {
       return "three pairs of integers" + range_text(key);
     case Kind::text:
       return key.choices.empty() ? "text" : choices_text(key.choices);
+    case Kind::texts:
+      return "a list of texts";
   }
   return "";
 }

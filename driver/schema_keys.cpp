@@ -165,6 +165,8 @@ std::vector<Key> title_and_flow_keys() {
       key<InFlow<&F::inertia>>("flow.inertia", "", "false: no quadratic terms (Stokes flow)"),
       key<InFlow<&F::speed_limit>>("flow.speed_limit", "lattice", "a higher fluid speed stops the run")
           .above(0),
+      key<InFlow<&F::command>>("flow.command", "",
+                               "a program in the place of the flow solver, and its arguments; []: none"),
   };
 }
 
@@ -219,6 +221,9 @@ std::vector<Key> membrane_keys(const std::string& prefix) {
           .above(-1)
           .below(1)
           .unless(refuse_poisson_ratio),
+      key<InMembrane<&M::command>>(
+          prefix + "command", "",
+          "a program in the place of the membrane's laws, and its arguments; []: none"),
   };
   const auto viscous = viscous_keys(prefix + "viscous.");
   keys.insert(keys.end(), viscous.begin(), viscous.end());
@@ -238,6 +243,12 @@ std::vector<Key> coupler_run_output_keys() {
       key<InCase<&Case::run, &RunCase::checkpoint_every>>("run.checkpoint_every", "shear times",
                                                           "between checkpoints; the last two are kept")
           .above(0),
+      key<InCase<&Case::run, &RunCase::command_time_limit>>(
+          "run.command_time_limit", "s", "of a program for an answer; after it the run stops")
+          .above(0),
+      key<InCase<&Case::run, &RunCase::command_directory>>(
+          "run.command_directory", "",
+          "where packets for programs go; path from the case file; \"\": in memory, removed at the end"),
       key<InCase<&Case::output, &O::observables_every>>("output.observables_every", "shear times",
                                                         "between rows of observables.csv; 0: never")
           .from(0),
@@ -252,33 +263,6 @@ std::vector<Key> coupler_run_output_keys() {
           "[[x0, x1], [y0, y1], [z0, z1]]: first and last node of fluid files (a slice: x0 = x1)")
           .from(0)
           .preset("the whole box"),
-  };
-}
-
-std::vector<Key> si_keys() {
-  using S = SiCase;
-  return {
-      key<InSi<&S::radius_m>>("si.radius_m", "m", "a of the first capsule").above(0).required(),
-      key<InSi<&S::shear_rate_per_s>>("si.shear_rate_per_s", "1/s", "g").above(0).required(),
-      key<InSi<&S::viscosity_Pa_s>>("si.viscosity_Pa_s", "Pa s", "mu_o of the fluid outside")
-          .above(0)
-          .required(),
-      key<InSi<&S::density_kg_per_m3>>("si.density_kg_per_m3", "kg/m^3", "of the fluid")
-          .above(0)
-          .preset(toml_text(SiCase().density_kg_per_m3)),
-      key<InSi<&S::shear_modulus_N_per_m>>("si.shear_modulus_N_per_m", "N/m",
-                                           "G_s of a capsule; or interfacial_tension_N_per_m")
-          .above(0),
-      key<InSi<&S::interfacial_tension_N_per_m>>("si.interfacial_tension_N_per_m", "N/m",
-                                                 "gamma of a droplet; or shear_modulus_N_per_m")
-          .above(0),
-      key<InSi<&S::membrane_shear_viscosity_N_s_per_m>>("si.membrane_shear_viscosity_N_s_per_m", "N s/m",
-                                                        "mu_s, in place of boussinesq_shear")
-          .from(0),
-      key<InSi<&S::membrane_dilatational_viscosity_N_s_per_m>>("si.membrane_dilatational_viscosity_N_s_per_m",
-                                                               "N s/m",
-                                                               "mu_d, in place of boussinesq_dilatational")
-          .from(0),
   };
 }
 

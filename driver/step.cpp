@@ -37,7 +37,9 @@ void advance_phases(System& system, Passage& passage) {
   passage.pass(system, Packet::positions, positions);
 
   // 4. Strain and stress at x(t+1), F_m(t+1).
-  system.node_force = timed(seconds.membrane, [&] { return nodal_forces(system.membranes, positions); });
+  system.node_force = timed(seconds.membrane, [&] {
+    return nodal_forces(system.membranes, positions, system.node_velocity, system.step + 1);
+  });
   passage.pass(system, Packet::node_force, system.node_force);
 
   // 5. Stencils at x(t+1), F(t+1).

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "coupler/coupler.hpp"
+#include "driver/capsule_membrane.hpp"
 #include "driver/case.hpp"
 #include "driver/stages/packets.hpp"
 #include "driver/units.hpp"
 #include "fluid/fluid.hpp"
-#include "membrane/membrane.hpp"
 
 namespace tanktread::driver {
 
@@ -25,7 +25,7 @@ struct ComponentSeconds {
 struct System {
   std::unique_ptr<fluid::Fluid> fluid;
   std::unique_ptr<coupler::Coupler> coupler;
-  std::vector<membrane::Membrane> membranes;
+  std::vector<CapsuleMembrane> membranes;
 
   std::int64_t step = 0;
   double shear_rate = 0;      ///< g, for the times in files

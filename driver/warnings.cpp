@@ -125,6 +125,14 @@ void warn_of_stability(Lines& lines, std::size_t number, int interval, const Vis
 
 void warn_of_viscosity(Lines& lines, std::size_t number, const Case& the_case, const Parameters& p) {
   const auto& viscous = the_case.capsules[number].membrane.viscous;
+  if (!the_case.capsules[number].membrane.command.empty()) {
+    if (viscous == ViscousCase()) return;
+    lines.push_back(
+        fmt::format("capsule {}: membrane.command takes the place of the viscous law too, and "
+                    "membrane.viscous has no effect; remove it",
+                    number));
+    return;
+  }
   if (viscous.scheme == "none") {
     if (viscous == ViscousCase()) return;
     lines.push_back(

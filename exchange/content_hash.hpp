@@ -31,6 +31,9 @@ Array to_array(std::uint64_t hash);
 void check_content(SurfacePacket& packet, const std::filesystem::path& file);
 void check_content(GridPacket& packet, const std::filesystem::path& file);
 
+/// Takes the array content_hash out of field data unread.
+void drop_hash(std::vector<Array>& field_data);
+
 /// @throws FileError if field data that are to be written have a name that the file keeps for itself
 void check_names(const std::vector<Array>& field_data, const std::filesystem::path& file);
 

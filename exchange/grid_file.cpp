@@ -56,6 +56,25 @@ void check_frame(vtkImageData& image, const path& file) {
   }
 }
 
+/// All but the hash, which stays among the field data. @param exact refuses numbers as ASCII
+GridPacket read(const path& file, Convert convert, bool exact) {
+  vtkNew<vtkXMLImageDataReader> reader;
+  read_with(*reader, file, "ImageData", exact);
+  auto* image = reader->GetOutput();
+  check_frame(*image, file);
+  GridPacket packet;
+  image->GetDimensions(packet.nodes.data());
+  image->GetSpacing(packet.spacing.data());
+  for (int axis = 0; axis < 3; ++axis) {
+    // VTK's origin is that of index 0, which need not be the first node of an extent.
+    const int first = image->GetExtent()[2 * axis];
+    packet.origin[axis] = image->GetOrigin()[axis] + first * packet.spacing[axis];
+  }
+  packet.point_data = take_arrays(*image->GetPointData(), convert, "point data", file);
+  packet.field_data = take_arrays(*image->GetFieldData(), convert, "field data", file);
+  return packet;
+}
+
 }  // namespace
 
 void write_grid(const path& file, const GridPacket& packet) {
@@ -74,21 +93,14 @@ void write_grid(const path& file, const GridPacket& packet) {
 }
 
 GridPacket read_grid(const path& file, bool convert) {
-  vtkNew<vtkXMLImageDataReader> reader;
-  read_with(*reader, file, "ImageData", !convert);
-  auto* image = reader->GetOutput();
-  check_frame(*image, file);
-  GridPacket packet;
-  image->GetDimensions(packet.nodes.data());
-  image->GetSpacing(packet.spacing.data());
-  for (int axis = 0; axis < 3; ++axis) {
-    // VTK's origin is that of index 0, which need not be the first node of an extent.
-    const int first = image->GetExtent()[2 * axis];
-    packet.origin[axis] = image->GetOrigin()[axis] + first * packet.spacing[axis];
-  }
-  packet.point_data = take_arrays(*image->GetPointData(), convert, "point data", file);
-  packet.field_data = take_arrays(*image->GetFieldData(), convert, "field data", file);
+  auto packet = read(file, convert ? Convert::with_losses : Convert::nothing, !convert);
   check_content(packet, file);
+  return packet;
+}
+
+GridPacket read_exact_grid(const path& file) {
+  auto packet = read(file, Convert::exactly, true);
+  drop_hash(packet.field_data);
   return packet;
 }
 

@@ -11,7 +11,7 @@ const Array& find_array(const std::vector<Array>& arrays, const std::string& nam
     present += (present.empty() ? "" : ", ") + array.name;
   }
   throw FileError(where + ": array '" + name +
-                           "' is missing; there are: " + (present.empty() ? "none" : present));
+                  "' is missing; there are: " + (present.empty() ? "none" : present));
 }
 
 }  // namespace tanktread::exchange

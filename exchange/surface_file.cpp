@@ -114,6 +114,23 @@ std::vector<std::int64_t> triangles_of(vtkUnstructuredGrid& grid, const path& fi
   return triangles;
 }
 
+/// All but the hash, which stays among the field data. @param exact refuses numbers as ASCII
+SurfacePacket read(const path& file, Convert convert, bool exact) {
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  read_with(*reader, file, "UnstructuredGrid", exact);
+  auto* grid = reader->GetOutput();
+  SurfacePacket packet;
+  packet.triangles = triangles_of(*grid, file);
+  if (grid->GetPoints() != nullptr) {
+    packet.points = values_of(*grid->GetPoints()->GetData(), convert, "the array of points", file);
+  }
+  packet.point_data = take_arrays(*grid->GetPointData(), convert, "point data", file);
+  packet.cell_data = take_arrays(*grid->GetCellData(), convert, "cell data", file);
+  grid->GetFieldData()->RemoveArray(padding_name);
+  packet.field_data = take_arrays(*grid->GetFieldData(), convert, "field data", file);
+  return packet;
+}
+
 }  // namespace
 
 void write_surface(const path& file, const SurfacePacket& packet) {
@@ -133,19 +150,14 @@ void write_surface(const path& file, const SurfacePacket& packet) {
 }
 
 SurfacePacket read_surface(const path& file, bool convert) {
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  read_with(*reader, file, "UnstructuredGrid", !convert);
-  auto* grid = reader->GetOutput();
-  SurfacePacket packet;
-  packet.triangles = triangles_of(*grid, file);
-  if (grid->GetPoints() != nullptr) {
-    packet.points = values_of(*grid->GetPoints()->GetData(), convert, "the array of points", file);
-  }
-  packet.point_data = take_arrays(*grid->GetPointData(), convert, "point data", file);
-  packet.cell_data = take_arrays(*grid->GetCellData(), convert, "cell data", file);
-  grid->GetFieldData()->RemoveArray(padding_name);
-  packet.field_data = take_arrays(*grid->GetFieldData(), convert, "field data", file);
+  auto packet = read(file, convert ? Convert::with_losses : Convert::nothing, !convert);
   check_content(packet, file);
+  return packet;
+}
+
+SurfacePacket read_exact_surface(const path& file) {
+  auto packet = read(file, Convert::exactly, true);
+  drop_hash(packet.field_data);
   return packet;
 }
 

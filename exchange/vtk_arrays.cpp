@@ -67,7 +67,7 @@ void add_arrays(const std::vector<Array>& arrays, std::int64_t n_tuples, vtkFiel
   }
 }
 
-std::vector<Array> take_arrays(vtkFieldData& data, bool convert, const std::string& kind,
+std::vector<Array> take_arrays(vtkFieldData& data, Convert convert, const std::string& kind,
                                const std::filesystem::path& file) {
   std::vector<Array> arrays;
   while (data.GetNumberOfArrays() > 0) {
@@ -75,8 +75,8 @@ std::vector<Array> take_arrays(vtkFieldData& data, bool convert, const std::stri
     const std::string name = found->GetName() ? found->GetName() : "";
     const auto what = fmt::format("{} array '{}'", kind, name);
     auto* numbers = vtkDataArray::FastDownCast(found);
-    if (numbers == nullptr &&
-        convert) {  // a file made elsewhere may carry text, of which a packet has no use
+    // A file made elsewhere may carry text, of which a packet has no use.
+    if (numbers == nullptr && convert != Convert::nothing) {
       data.RemoveArray(0);
       continue;
     }
@@ -90,17 +90,23 @@ std::vector<Array> take_arrays(vtkFieldData& data, bool convert, const std::stri
   return arrays;
 }
 
-std::vector<double> values_of(vtkDataArray& array, bool convert, const std::string& what,
+std::vector<double> values_of(vtkDataArray& array, Convert convert, const std::string& what,
                               const std::filesystem::path& file) {
   if (const auto* doubles = vtkDoubleArray::FastDownCast(&array)) {
     const double* first = const_cast<vtkDoubleArray*>(doubles)->GetPointer(0);
     return std::vector<double>(first, first + doubles->GetNumberOfValues());
   }
-  if (!convert) {
+  if (convert == Convert::nothing) {
     throw FileError(
         fmt::format("{}: {} is of type {}, not double; a file that was made elsewhere must be read with "
                     "convert = true, which widens numbers to double",
                     file.string(), what, array.GetDataTypeAsString()));
+  }
+  if (convert == Convert::exactly && array.GetDataType() == VTK_FLOAT) {
+    throw FileError(
+        fmt::format("{}: {} is of single precision (Float32), which has lost half of its digits; write it "
+                    "as Float64, in numpy float64",
+                    file.string(), what));
   }
   std::vector<double> values;
   values.reserve(static_cast<std::size_t>(array.GetNumberOfValues()));

@@ -30,6 +30,14 @@ void write_grid(const std::filesystem::path& file, const GridPacket& packet);
 SurfacePacket read_surface(const std::filesystem::path& file, bool convert = false);
 GridPacket read_grid(const std::filesystem::path& file, bool convert = false);
 
+/// The same for a packet that another program computed from one of ours, and from which a run goes on:
+/// integers are widened and text is left out, but numbers that have lost digits are errors, which are those
+/// of single precision and real numbers written as text (ASCII). A hash is left out unread: a program that
+/// adds arrays to what it was given keeps the hash of that.
+/// @throws FileError as above
+SurfacePacket read_exact_surface(const std::filesystem::path& file);
+GridPacket read_exact_grid(const std::filesystem::path& file);
+
 /// One entry of a .pvd: a file, by its path relative to the .pvd, and its time (in shear times).
 struct SeriesEntry {
   double time;

@@ -203,6 +203,10 @@ void Membrane::add_forces(Eigen::Ref<Eigen::Matrix3Xd> force) {
   }
 }
 
+void Membrane::check_elements() {
+  implementation_->check_elements();
+}
+
 void Membrane::add_elastic_forces(Eigen::Ref<Eigen::Matrix3Xd> force) const {
   const auto& self = *implementation_;
   self.require_column_per_node("the force array", force.cols());

@@ -64,6 +64,10 @@ class Membrane {
   /// @throws std::invalid_argument if `force` has another number of columns
   void add_forces(Eigen::Ref<Eigen::Matrix3Xd> force);
 
+  /// The check of add_forces() alone, once a step, for a membrane whose forces come from elsewhere.
+  /// @throws InvertedElement as there
+  void check_elements();
+
   /// The elastic part alone, for output. It checks no element.
   void add_elastic_forces(Eigen::Ref<Eigen::Matrix3Xd> force) const;
 

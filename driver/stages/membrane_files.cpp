@@ -16,16 +16,19 @@ void append(std::vector<double>& values, const double* data, Eigen::Index size) 
   values.insert(values.end(), data, data + size);
 }
 
-NodeVectors elastic_forces(const std::vector<membrane::Membrane>& membranes) {
+void add_program_arrays(exchange::SurfacePacket& file, const std::vector<Array>& arrays,
+                        const std::string& prefix) {
+  for (const auto& array : arrays)
+    file.field_data.push_back({prefix + array.name, array.components, array.values});
+}
+
+NodeVectors elastic_forces(const std::vector<CapsuleMembrane>& membranes) {
   NodeVectors forces;
-  for (const auto& membrane : membranes) {
-    forces.emplace_back(Eigen::Matrix3Xd::Zero(3, membrane.n_nodes()));
-    membrane.add_elastic_forces(forces.back());
-  }
+  for (const auto& membrane : membranes) forces.push_back(membrane.elastic_forces());
   return forces;
 }
 
-void add_element_fields(exchange::SurfacePacket& file, const std::vector<membrane::Membrane>& membranes) {
+void add_element_fields(exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>& membranes) {
   Array stretches{"principal_stretches", 2, {}}, stress{"stress", 9, {}};
   Array viscous_stress{"viscous_stress", 9, {}}, area_ratio{"area_ratio", 1, {}};
   for (const auto& membrane : membranes) {
@@ -41,14 +44,14 @@ void add_element_fields(exchange::SurfacePacket& file, const std::vector<membran
 
 }  // namespace
 
-Surfaces surfaces_of(const std::vector<membrane::Membrane>& membranes) {
+Surfaces surfaces_of(const std::vector<CapsuleMembrane>& membranes) {
   Surfaces surfaces;
   surfaces.positions = positions_of(membranes);
   for (const auto& membrane : membranes) surfaces.triangles.push_back(membrane.reference().triangles);
   return surfaces;
 }
 
-exchange::SurfacePacket membrane_file(const std::vector<membrane::Membrane>& membranes,
+exchange::SurfacePacket membrane_file(const std::vector<CapsuleMembrane>& membranes,
                                       const NodeVectors& velocity, const NodeVectors& force,
                                       std::int64_t step, double shear_time) {
   auto file = surface_file(surfaces_of(membranes), step);
@@ -60,21 +63,24 @@ exchange::SurfacePacket membrane_file(const std::vector<membrane::Membrane>& mem
   return file;
 }
 
-void add_state(exchange::SurfacePacket& file, const std::vector<membrane::Membrane>& membranes) {
+void add_state(exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>& membranes) {
   NodeVectors references;
   for (const auto& membrane : membranes) references.push_back(membrane.reference().points);
   add_vectors(file, "reference_position", references);
   for (std::size_t k = 0; k < membranes.size(); ++k) {
-    file.field_data.push_back({history_name(k), 1, membranes[k].history()});
+    auto state = membranes[k].state();
+    file.field_data.push_back({history_name(k), 1, std::move(state.history)});
+    add_program_arrays(file, state.program.point_data, program_prefix(k, "point"));
+    add_program_arrays(file, state.program.cell_data, program_prefix(k, "cell"));
   }
 }
 
-void restore_histories(std::vector<membrane::Membrane>& membranes, const exchange::SurfacePacket& file,
+void restore_membranes(std::vector<CapsuleMembrane>& membranes, const exchange::SurfacePacket& file,
                        const std::string& name) {
   check_schema_version(file.field_data, name);
   for (std::size_t k = 0; k < membranes.size(); ++k) {
     try {
-      membranes[k].restore_history(history_of(file, k, name));
+      membranes[k].restore(membrane_state_of(file, k, name));
     } catch (const std::invalid_argument& error) {
       throw exchange::FileError(fmt::format("{}: {} does not fit the case's membrane {}: {}", name,
                                             history_name(k), k, error.what()));
@@ -82,7 +88,7 @@ void restore_histories(std::vector<membrane::Membrane>& membranes, const exchang
   }
 }
 
-void check_surfaces(const Surfaces& surfaces, const std::vector<membrane::Membrane>& membranes,
+void check_surfaces(const Surfaces& surfaces, const std::vector<CapsuleMembrane>& membranes,
                     const std::string& name) {
   if (surfaces.positions.size() != membranes.size()) {
     throw exchange::FileError(

@@ -12,10 +12,10 @@ namespace tanktread::driver {
 namespace {
 
 /// Takes over the histories of a former output of this stage.
-void restore(std::vector<membrane::Membrane>& membranes, const std::filesystem::path& state) {
+void restore(std::vector<CapsuleMembrane>& membranes, const std::filesystem::path& state) {
   const auto file = exchange::read_surface(state);
   check_surfaces(surfaces_of(file, state.string()), membranes, state.string());
-  restore_histories(membranes, file, state.string());
+  restore_membranes(membranes, file, state.string());
 }
 
 /// What the stage begins with: where the nodes are, how fast, and when.
@@ -24,7 +24,7 @@ struct Input {
   std::int64_t step = 0;
 };
 
-Input read_input(const MembraneStage& stage, const std::vector<membrane::Membrane>& membranes) {
+Input read_input(const MembraneStage& stage, const std::vector<CapsuleMembrane>& membranes) {
   const auto name = stage.in.string();
   const auto file = exchange::read_surface(stage.in);
   auto surfaces = surfaces_of(file, name);
@@ -46,7 +46,7 @@ Input read_input(const MembraneStage& stage, const std::vector<membrane::Membran
 }
 
 /// The start of the case: at rest, without forces, and without a step of the membrane.
-void write_start(const MembraneStage& stage, const std::vector<membrane::Membrane>& membranes) {
+void write_start(const MembraneStage& stage, const std::vector<CapsuleMembrane>& membranes) {
   NodeVectors zero;
   for (const auto& membrane : membranes) zero.emplace_back(Eigen::Matrix3Xd::Zero(3, membrane.n_nodes()));
   auto file = membrane_file(membranes, zero, zero, 0, 0.0);
@@ -63,7 +63,7 @@ void run(const MembraneStage& stage) {
     return;
   }
   const auto input = read_input(stage, membranes);
-  const auto forces = nodal_forces(membranes, input.positions);
+  const auto forces = nodal_forces(membranes, input.positions, input.velocity, input.step);
   auto file = membrane_file(membranes, input.velocity, forces, input.step,
                             static_cast<double>(input.step) * numbers.shear_rate);
   add_state(file, membranes);

@@ -51,7 +51,7 @@ Motion twist(const MotionStage& stage, const Parameters& numbers,
 
 /// The surfaces of a .pvd, each at its time, counted from that of the first.
 Motion series(const MotionStage& stage, const Parameters& numbers,
-              const std::vector<membrane::Membrane>& membranes) {
+              const std::vector<CapsuleMembrane>& membranes) {
   const auto entries = exchange::read_series(stage.series);
   if (entries.empty())
     throw InputError(stage.series.string() + ": holds no file; a motion needs at least one");
@@ -86,7 +86,7 @@ Motion series(const MotionStage& stage, const Parameters& numbers,
 }
 
 /// Goes through the motion; the first positions are not a step of the membrane, whose history begins there.
-void follow(const Motion& motion, std::vector<membrane::Membrane>& membranes, const Parameters& numbers,
+void follow(const Motion& motion, std::vector<CapsuleMembrane>& membranes, const Parameters& numbers,
             const std::filesystem::path& out) {
   std::vector<exchange::SeriesEntry> entries;
   auto positions = motion.positions(0);
@@ -103,7 +103,7 @@ void follow(const Motion& motion, std::vector<membrane::Membrane>& membranes, co
       auto next = motion.positions(step);
       for (std::size_t k = 0; k < membranes.size(); ++k) velocity[k] = next[k] - positions[k];
       positions = std::move(next);
-      force = nodal_forces(membranes, positions);
+      force = nodal_forces(membranes, positions, velocity, step);
     }
     if (step != *due) continue;
     const double shear_time = static_cast<double>(step) * numbers.shear_rate;

@@ -70,18 +70,6 @@ std::vector<Eigen::Matrix3Xi> split_triangles(const exchange::SurfacePacket& fil
   return triangles;
 }
 
-void check_grid(const exchange::GridPacket& file, const Box& box, const std::string& name) {
-  if (file.nodes == box && file.origin == std::array{0.5, 0.5, 0.5} &&
-      file.spacing == std::array{1.0, 1.0, 1.0})
-    return;
-  throw FileError(
-      fmt::format("{}: a grid of {} x {} x {} nodes from ({}, {}, {}) with spacing ({}, {}, {}); the case "
-                  "has flow.box = [{}, {}, "
-                  "{}], from (0.5, 0.5, 0.5) with spacing 1: use files of the whole box of that case",
-                  name, file.nodes[0], file.nodes[1], file.nodes[2], file.origin[0], file.origin[1],
-                  file.origin[2], file.spacing[0], file.spacing[1], file.spacing[2], box[0], box[1], box[2]));
-}
-
 }  // namespace
 
 exchange::SurfacePacket surface_file(const Surfaces& surfaces, std::int64_t step) {
@@ -168,6 +156,18 @@ exchange::GridPacket grid_file(const GridVectors& vectors, const std::string& ar
   file.point_data = {std::move(values), std::move(touched)};
   file.field_data = header(step);
   return file;
+}
+
+void check_grid(const exchange::GridPacket& file, const Box& box, const std::string& name) {
+  if (file.nodes == box && file.origin == std::array{0.5, 0.5, 0.5} &&
+      file.spacing == std::array{1.0, 1.0, 1.0})
+    return;
+  throw FileError(
+      fmt::format("{}: a grid of {} x {} x {} nodes from ({}, {}, {}) with spacing ({}, {}, {}); the case "
+                  "has flow.box = [{}, {}, "
+                  "{}], from (0.5, 0.5, 0.5) with spacing 1: use files of the whole box of that case",
+                  name, file.nodes[0], file.nodes[1], file.nodes[2], file.origin[0], file.origin[1],
+                  file.origin[2], file.spacing[0], file.spacing[1], file.spacing[2], box[0], box[1], box[2]));
 }
 
 GridVectors grid_vectors_of(const exchange::GridPacket& file, const std::string& array, const Box& box,

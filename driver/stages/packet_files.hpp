@@ -46,6 +46,9 @@ inline constexpr const char* touched_array = "touched";
 exchange::GridPacket grid_file(const GridVectors& vectors, const std::string& array, const Box& box,
                                std::int64_t step);
 
+/// @throws exchange::FileError if the grid is not the box: a whole one, its first node at 1/2, 1/2, 1/2
+void check_grid(const exchange::GridPacket& file, const Box& box, const std::string& name);
+
 /// The vectors on the nodes where `touched` is not zero, on all nodes without that array.
 /// @throws exchange::FileError if the grid is not the box (a whole one: its first node at 1/2, 1/2, 1/2), the
 /// array is missing or has not three components; for a later schema version

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "coupler/coupler.hpp"
+#include "driver/capsule_membrane.hpp"
 #include "driver/stages/packets.hpp"
 #include "fluid/fluid.hpp"
-#include "membrane/membrane.hpp"
 
 namespace tanktread::driver {
 
@@ -42,8 +42,11 @@ NodeVectors interpolate(const coupler::Coupler& coupler, const GridVectors& velo
 NodeVectors move_nodes(const NodeVectors& positions, const NodeVectors& velocity);
 
 /// 4. membrane: takes the positions x(t+1); strain, stress with its history, total nodal forces F_m(t+1).
-/// @throws membrane::InvertedElement
-NodeVectors nodal_forces(std::vector<membrane::Membrane>& membranes, const NodeVectors& positions);
+/// @param velocity u_m(t), which moved the nodes there
+/// @param step of the positions, t+1
+/// @throws membrane::InvertedElement; RunError if a program in the place of a membrane gives no forces
+NodeVectors nodal_forces(std::vector<CapsuleMembrane>& membranes, const NodeVectors& positions,
+                         const NodeVectors& velocity, std::int64_t step);
 
 /// 5. coupler: stencils at x(t+1), and the grid force F(t+1) spread with them (Eq. 2.1).
 /// @throws coupler::StencilError
@@ -53,6 +56,6 @@ GridVectors spread(coupler::Coupler& coupler, const NodeVectors& positions, cons
 double advance_fluid(fluid::Fluid& fluid, const GridVectors& force);
 
 /// The positions of all membranes.
-NodeVectors positions_of(const std::vector<membrane::Membrane>& membranes);
+NodeVectors positions_of(const std::vector<CapsuleMembrane>& membranes);
 
 }  // namespace tanktread::driver

@@ -21,17 +21,17 @@ NodeVectors move_nodes(const NodeVectors& positions, const NodeVectors& velocity
   return moved;
 }
 
-NodeVectors nodal_forces(std::vector<membrane::Membrane>& membranes, const NodeVectors& positions) {
+NodeVectors nodal_forces(std::vector<CapsuleMembrane>& membranes, const NodeVectors& positions,
+                         const NodeVectors& velocity, std::int64_t step) {
   NodeVectors forces;
   for (std::size_t k = 0; k < membranes.size(); ++k) {
     membranes[k].set_positions(positions[k]);
-    forces.emplace_back(Eigen::Matrix3Xd::Zero(3, membranes[k].n_nodes()));
-    membranes[k].add_forces(forces.back());
+    forces.push_back(membranes[k].next_forces(velocity[k], step));
   }
   return forces;
 }
 
-NodeVectors positions_of(const std::vector<membrane::Membrane>& membranes) {
+NodeVectors positions_of(const std::vector<CapsuleMembrane>& membranes) {
   NodeVectors positions;
   for (const auto& membrane : membranes) positions.push_back(membrane.positions());
   return positions;

@@ -12,12 +12,13 @@ void feed(ReplayRecord& record, const Case& the_case) {
   auto membranes = make_membranes(the_case, parameters(the_case), begin.references);
   for (std::size_t k = 0; k < membranes.size(); ++k) {
     membranes[k].set_positions(begin.positions[k]);
-    membranes[k].restore_history(begin.histories[k]);
+    membranes[k].restore(begin.membranes[k]);
   }
   for (auto step = record.first_step(); step <= record.last_step(); ++step) {
-    record.compare(Packet::positions, step,
-                   move_nodes(record.positions_before(step), record.nodes(Packet::node_velocity, step)));
-    record.compare(Packet::node_force, step, nodal_forces(membranes, record.nodes(Packet::positions, step)));
+    const auto velocity = record.nodes(Packet::node_velocity, step);
+    record.compare(Packet::positions, step, move_nodes(record.positions_before(step), velocity));
+    record.compare(Packet::node_force, step,
+                   nodal_forces(membranes, record.nodes(Packet::positions, step), velocity, step));
   }
   auto end = surface_file(surfaces_of(membranes), record.last_step());
   add_state(end, membranes);

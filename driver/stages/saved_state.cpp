@@ -15,7 +15,7 @@ void read_membranes(const std::filesystem::path& file, SavedState& state) {
   const auto references = vectors_of(content, "reference_position", surfaces, name);
   for (std::size_t k = 0; k < references.size(); ++k) {
     state.references.push_back({references[k], surfaces.triangles[k]});
-    state.histories.push_back(history_of(content, k, name));
+    state.membranes.push_back(membrane_state_of(content, k, name));
   }
   state.node_velocity = vectors_of(content, "velocity", surfaces, name);
   state.node_force = vectors_of(content, "total_force", surfaces, name);
@@ -24,6 +24,16 @@ void read_membranes(const std::filesystem::path& file, SavedState& state) {
     throw exchange::FileError(fmt::format("{}: of step {}, the fluid beside it of step {}", name,
                                           step_of(content.field_data, name), state.step));
   }
+}
+
+std::vector<exchange::Array> program_arrays_of(const exchange::SurfacePacket& file,
+                                               const std::string& prefix) {
+  std::vector<exchange::Array> arrays;
+  for (const auto& array : file.field_data) {
+    if (array.name.starts_with(prefix))
+      arrays.push_back({array.name.substr(prefix.size()), array.components, array.values});
+  }
+  return arrays;
 }
 
 }  // namespace
@@ -51,9 +61,15 @@ std::string history_name(std::size_t capsule) {
   return fmt::format("history_{}", capsule);
 }
 
-std::vector<double> history_of(const exchange::SurfacePacket& file, std::size_t capsule,
-                               const std::string& name) {
-  return exchange::find_array(file.field_data, history_name(capsule), name).values;
+std::string program_prefix(std::size_t capsule, const char* kind) {
+  return fmt::format("program_{}_{}_", capsule, kind);
+}
+
+MembraneState membrane_state_of(const exchange::SurfacePacket& file, std::size_t capsule,
+                                const std::string& name) {
+  return {exchange::find_array(file.field_data, history_name(capsule), name).values,
+          {program_arrays_of(file, program_prefix(capsule, "point")),
+           program_arrays_of(file, program_prefix(capsule, "cell"))}};
 }
 
 }  // namespace tanktread::driver

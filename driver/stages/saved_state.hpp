@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "driver/stages/membrane_state.hpp"
 #include "driver/stages/packets.hpp"
 #include "exchange/packet.hpp"
 #include "fluid/fluid.hpp"
@@ -24,7 +25,7 @@ struct SavedState {
   std::int64_t step = 0;
   std::vector<membrane::TriangleMesh> references;  ///< the stress-free mesh of each capsule
   NodeVectors positions, node_velocity, node_force;
-  std::vector<std::vector<double>> histories;
+  std::vector<MembraneState> membranes;
   fluid::State fluid;
 };
 
@@ -37,8 +38,11 @@ fluid::State state_of(exchange::GridPacket file, const std::string& name);
 
 /// The array of field data that holds the history of a capsule: history_0, history_1 ...
 std::string history_name(std::size_t capsule);
-/// The history of one capsule. @throws exchange::FileError if it is missing
-std::vector<double> history_of(const exchange::SurfacePacket& file, std::size_t capsule,
-                               const std::string& name);
+/// What the names of a program's arrays begin with, in the field data of a state: program_0_point_ ...
+/// @param kind "point" | "cell"
+std::string program_prefix(std::size_t capsule, const char* kind);
+/// The state of one capsule's membrane. @throws exchange::FileError if its history is missing
+MembraneState membrane_state_of(const exchange::SurfacePacket& file, std::size_t capsule,
+                                const std::string& name);
 
 }  // namespace tanktread::driver

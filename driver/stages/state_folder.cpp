@@ -32,7 +32,7 @@ void restore(System& system, const SavedState& state) {
     system.fluid->restore(state.fluid);
     for (std::size_t k = 0; k < system.membranes.size(); ++k) {
       system.membranes[k].set_positions(state.positions[k]);
-      system.membranes[k].restore_history(state.histories[k]);
+      system.membranes[k].restore(state.membranes[k]);
     }
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("{}: does not fit the case: {}", state.folder.string(), error.what()));

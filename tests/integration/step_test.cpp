@@ -130,6 +130,18 @@ TEST(Step, StopsOnAnInvertedElement) {
   EXPECT_THAT(breakdown(system), AllOf(HasSubstr("step 2"), HasSubstr("element")));
 }
 
+TEST(Step, StopsOnAnInvertedElementBeforeAProgramIsAsked) {
+  // `cat` answers with the packet that it was given, which has no forces.
+  auto system = make(parse({"membrane.command=[\"cat\"]"}));
+  EXPECT_THAT(breakdown(system), AllOf(HasSubstr("step 1: the program of the membrane of capsule 0, cat: "),
+                                       HasSubstr("'total_force' is missing")));
+  auto other = make(parse({"membrane.command=[\"cat\"]"}));
+  Eigen::Matrix3Xd positions = other.membranes[0].positions();
+  positions.col(5) = 2 * positions.rowwise().mean() - positions.col(5);
+  other.membranes[0].set_positions(positions);
+  EXPECT_THAT(breakdown(other), AllOf(HasSubstr("step 1: membrane element"), HasSubstr("turned")));
+}
+
 TEST(Step, StopsAtAWall) {
   auto system = make(parse());
   Eigen::Matrix3Xd positions = system.membranes[0].positions();

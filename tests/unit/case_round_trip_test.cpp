@@ -39,6 +39,8 @@ TEST(CaseRoundTrip, WithAssignments) {
       {"membrane.viscous={boussinesq_shear = 10, spring_stiffness = 100, interval = 20}"},
       {"membrane.viscous={strain_sampling = \"moving-average\", stress_measure = \"rate-of-strain\"}"},
       {"membrane.viscous={spring_relaxation_time = 0.01, spring_modulus_dilatational = 2e-3}"},
+      {"membrane.command=[\"/bin/sh\", \"a \\\"b\\\"\", \"\"]", "run.command_time_limit=0.5"},
+      {"flow.command=[\"sh\"]", "run.command_directory=packets"},
   };
   for (const auto& assignments : all) expect_round_trip(parse(least_case, assignments));
 }

@@ -42,6 +42,8 @@ Value another_value(const Key& key) {
       return std::array<double, 3>{0.5, 1.5, 2.5};
     case Kind::ranges3:
       return Ranges3{{{1, 2}, {3, 4}, {5, 6}}};
+    case Kind::texts:
+      return std::vector<std::string>{"one", "two words"};
     case Kind::none:
       break;
   }
@@ -140,6 +142,7 @@ TEST(Schema, AllowedText) {
   EXPECT_EQ(allowed_text(*find_key("capsule.0.mesh.level")), "an integer >= 0 and <= 8");
   EXPECT_EQ(allowed_text(*find_key("membrane.poisson_ratio")), "a number > -1 and < 1");
   EXPECT_EQ(allowed_text(*find_key("flow.inertia")), "true or false");
+  EXPECT_EQ(allowed_text(*find_key("membrane.command")), "a list of texts");
 }
 
 TEST(Spelling, NearestIsFoundAndFarIsNot) {

@@ -38,6 +38,17 @@ TEST(CaseSet, ElementsOfArraysAndOfTheListOfCapsules) {
             (std::array<double, 3>{0, 0, 1e-6}));
 }
 
+TEST(CaseSet, ListsOfTexts) {
+  using Texts = std::vector<std::string>;
+  const auto the_case =
+      parse(full_case, {"membrane.command=[\"sh\",\"x y\"]", "capsule.1.membrane.command=[]",
+                        "flow.command=['sh', 'fluid.sh']", "flow.command.1=other.sh"});
+  EXPECT_EQ(the_case.capsules[0].membrane.command, (Texts{"sh", "x y"}));
+  EXPECT_EQ(the_case.capsules[1].membrane.command, Texts());
+  EXPECT_EQ(the_case.flow.command, (Texts{"sh", "other.sh"}));
+  EXPECT_EQ(parse(least_case).capsules[0].membrane.command, Texts());
+}
+
 TEST(CaseSet, BareWordsAreTexts) {
   for (const std::string value : {"neo-hookean", "\"neo-hookean\"", "'neo-hookean'", " neo-hookean "}) {
     EXPECT_EQ(parse(least_case, {"membrane.elastic_law=" + value}).capsules[0].membrane.elastic_law,

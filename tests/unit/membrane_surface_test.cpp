@@ -119,6 +119,18 @@ TEST(InvertedElement, IsNamedWithItsNodesPlaceAndTurn) {
   }
 }
 
+TEST(InvertedElement, IsFoundByTheCheckAloneToo) {
+  const auto sphere = icosphere(1, 1);
+  Membrane checked(sphere, skalak(), 1), forced(sphere, skalak(), 1);
+  const Eigen::Matrix3Xd turned = rotation({0, 0, 1}, 1.2) * sphere.points;
+  checked.set_positions(turned);
+  checked.check_elements();
+  forces(forced, turned);
+  EXPECT_TRUE(same_bits(checked.history(), forced.history())) << "the next check compares with this one";
+  checked.set_positions(with_inverted(sphere, 7));
+  EXPECT_THAT(inversion_message([&] { checked.check_elements(); }), HasSubstr("membrane element "));
+}
+
 TEST(InvertedElement, HasCollapsedBelowAThousandthOfItsArea) {
   const auto box = cube(1);
   Membrane membrane(box.mesh, skalak(), 1);
