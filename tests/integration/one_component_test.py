@@ -130,6 +130,7 @@ class OneComponent(unittest.TestCase):
                 missing = {name: f"needs {needs}" for name, needs in MISSING[component].items()}
                 self.assertEqual(listed(text, "Left out of this program"), missing)
                 self.assertEqual(listed(text, "Subcommands").keys(), there.keys() - missing.keys())
+                self.assertLess(text.index("\nSubcommands:"), text.index("\nLeft out of this program:"))
 
     def test_a_missing_command_is_refused_whatever_its_arguments(self):
         for component in COMPONENTS:
