@@ -6,15 +6,10 @@
 #include <vector>
 
 #include "driver/outside/outside_membrane.hpp"
+#include "driver/stages/membrane_state.hpp"
 #include "membrane/membrane.hpp"
 
 namespace tanktread::driver {
-
-/// What a membrane needs besides its positions to go on.
-struct MembraneState {
-  std::vector<double> history;  ///< membrane::Membrane::history()
-  SurfaceArrays program;        ///< OutsideMembrane::state(); empty without a program
-};
 
 /// A membrane of the component with its laws, or with a program in their place. The program gives the nodal
 /// forces; the kinematics and the check of the elements stay. What the laws would say is then never passed

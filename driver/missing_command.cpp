@@ -26,12 +26,14 @@ void add_missing_command(CLI::App& app, const std::string& name, const std::stri
   auto* command = app.add_subcommand(name)->prefix_command();
   command->set_help_flag();  // so that --help too says what is missing
   mark_missing(*command, needs);
-  command->callback([=, path = app.get_name() + " " + name] {
-    throw InputError(
-        fmt::format("{}: left out of this program, since it needs {}; use one that is built with all that "
-                    "(TANKTREAD_COMPONENTS, see README.md)",
-                    path, needs));
-  });
+  command->callback([=, path = app.get_name() + " " + name] { refuse_missing(path, needs); });
+}
+
+void refuse_missing(const std::string& what, const std::string& needs) {
+  throw InputError(
+      fmt::format("{}: left out of this program, since it needs {}; use one that is built with all that "
+                  "(TANKTREAD_COMPONENTS, see README.md)",
+                  what, needs));
 }
 
 void put_missing_last(CLI::App& app) {

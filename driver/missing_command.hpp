@@ -11,6 +11,10 @@ namespace tanktread::driver {
 /// needs: "the membrane" @throws InputError when it is called
 void add_missing_command(CLI::App& app, const std::string& name, const std::string& needs);
 
+/// Refuses what a program without some component cannot do.
+/// @param what "tanktread replay --only fluid" @throws InputError
+[[noreturn]] void refuse_missing(const std::string& what, const std::string& needs);
+
 /// Lists the missing commands below `app` after all others.
 void put_missing_last(CLI::App& app);
 

@@ -1,11 +1,16 @@
 // A program without the coupler: a case may name any kernel.
 #include "driver/missing_command.hpp"
 #include "driver/names.hpp"
+#include "driver/stages/replay_component.hpp"
 
 namespace tanktread::driver {
 
 void add_coupler_command(CLI::App& app, int&) {
   add_missing_command(app, "coupler", "the coupler");
+}
+
+void replay_coupler(ReplayRecord&, const Case&) {
+  refuse_missing("tanktread replay --only coupler", "the coupler");
 }
 
 void add_noise_study(CLI::App& study, int&) {

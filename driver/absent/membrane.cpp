@@ -1,11 +1,16 @@
 // A program without the membrane: a case may name any law or scheme.
 #include "driver/missing_command.hpp"
 #include "driver/names.hpp"
+#include "driver/stages/replay_component.hpp"
 
 namespace tanktread::driver {
 
 void add_membrane_command(CLI::App& app, int&) {
   add_missing_command(app, "membrane", "the membrane");
+}
+
+void replay_membrane(ReplayRecord&, const Case&) {
+  refuse_missing("tanktread replay --only membrane", "the membrane");
 }
 
 void add_mesh_command(CLI::App& app, int&) {

@@ -11,8 +11,4 @@ void add_plan_command(CLI::App& app, int&) {
   add_missing_command(app, "plan", "the fluid, the membrane and the coupler");
 }
 
-void add_replay_command(CLI::App& app, int&) {
-  add_missing_command(app, "replay", "the fluid, the membrane and the coupler");
-}
-
 }  // namespace tanktread::driver

@@ -6,15 +6,11 @@
 #include <vector>
 
 #include "driver/outside/outside_program.hpp"
+#include "driver/stages/membrane_state.hpp"
 #include "driver/units.hpp"
 #include "membrane/membrane.hpp"
 
 namespace tanktread::driver {
-
-/// Arrays on the points and on the triangles of a surface.
-struct SurfaceArrays {
-  std::vector<exchange::Array> point_data, cell_data;
-};
 
 /// Gives the nodal forces of a capsule. What goes to and fro: docs/outside-programs.md.
 class OutsideMembrane {

@@ -1,9 +1,40 @@
 #include "driver/stages/file_passage.hpp"
 
+#include "driver/stages/membrane_files.hpp"
 #include "driver/stages/packet_folder.hpp"
 #include "driver/stages/state_folder.hpp"
 
 namespace tanktread::driver {
+namespace {
+
+Box box_of(const System& system) {
+  const auto shape = system.fluid->shape();
+  return {shape.nx, shape.ny, shape.nz};
+}
+
+/// Writes a packet of the step that the system is at work on. What lives on capsules has their present
+/// positions as points.
+void write_packet(const std::filesystem::path& file, const System& system, Packet packet,
+                  const GridVectors& vectors) {
+  auto content = grid_file(vectors, array_of(packet), box_of(system), system.step + 1);
+  if (packet == Packet::grid_velocity) {
+    std::vector<double> density(static_cast<std::size_t>(system.fluid->shape().size()));
+    // The same numbers on the nodes that are touched: both come from the same populations and forces.
+    system.fluid->moments(density, content.point_data[0].values);
+  }
+  exchange::write_grid(file, content);
+}
+
+void write_packet(const std::filesystem::path& file, const System& system, Packet packet,
+                  const NodeVectors& vectors) {
+  auto surfaces = surfaces_of(system.membranes);
+  if (packet == Packet::positions) surfaces.positions = vectors;
+  auto content = surface_file(surfaces, system.step + 1);
+  if (packet != Packet::positions) add_vectors(content, array_of(packet), vectors);
+  exchange::write_surface(file, content);
+}
+
+}  // namespace
 
 FilePassage::FilePassage(std::filesystem::path directory) : directory_(std::move(directory)) {
   std::filesystem::create_directories(directory_);
@@ -12,8 +43,7 @@ FilePassage::FilePassage(std::filesystem::path directory) : directory_(std::move
 void FilePassage::pass(const System& system, Packet packet, GridVectors& vectors) {
   const auto file = directory_ / (name_of(packet) + ".vti");
   write_packet(file, system, packet, vectors);
-  const auto shape = system.fluid->shape();
-  vectors = read_grid_packet(file, packet, {shape.nx, shape.ny, shape.nz}, system.step + 1);
+  vectors = read_grid_packet(file, packet, box_of(system), system.step + 1);
 }
 
 void FilePassage::pass(const System& system, Packet packet, NodeVectors& vectors) {

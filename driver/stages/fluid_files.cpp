@@ -52,13 +52,4 @@ exchange::GridPacket state_file(fluid::State state, const fluid::GridShape& shap
   return file;
 }
 
-fluid::State state_of(exchange::GridPacket file, const std::string& name) {
-  check_schema_version(file.field_data, name);
-  fluid::State state;
-  state.step = step_of(file.field_data, name);
-  for (auto& array : file.point_data)
-    state.arrays.push_back({array.name, array.components, std::move(array.values)});
-  return state;
-}
-
 }  // namespace tanktread::driver

@@ -19,8 +19,4 @@ exchange::GridPacket flow_file(const fluid::Fluid& fluid, const std::optional<Ra
 /// The whole state of a solver, for going on bit for bit: its own arrays, field data step, schema_version.
 exchange::GridPacket state_file(fluid::State state, const fluid::GridShape& shape);
 
-/// The way back. @param name of the file, for messages
-/// @throws exchange::FileError for a later schema version
-fluid::State state_of(exchange::GridPacket file, const std::string& name);
-
 }  // namespace tanktread::driver

@@ -4,6 +4,7 @@
 #include "driver/stages/fluid_files.hpp"
 #include "driver/stages/packet_files.hpp"
 #include "driver/stages/phases.hpp"
+#include "driver/stages/saved_state.hpp"
 #include "driver/stages/stage_errors.hpp"
 #include "driver/stages/stages.hpp"
 #include "exchange/vtk_files.hpp"

@@ -4,6 +4,7 @@
 
 #include "driver/stages/packet_files.hpp"
 #include "driver/stages/phases.hpp"
+#include "driver/stages/saved_state.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
@@ -15,29 +16,10 @@ void append(std::vector<double>& values, const double* data, Eigen::Index size) 
   values.insert(values.end(), data, data + size);
 }
 
-std::string history_name(std::size_t capsule) {
-  return fmt::format("history_{}", capsule);
-}
-
-/// What the names of a program's arrays begin with, in the field data of a state. @param kind "point" |
-/// "cell"
-std::string program_prefix(std::size_t capsule, const char* kind) {
-  return fmt::format("program_{}_{}_", capsule, kind);
-}
-
 void add_program_arrays(exchange::SurfacePacket& file, const std::vector<Array>& arrays,
                         const std::string& prefix) {
   for (const auto& array : arrays)
     file.field_data.push_back({prefix + array.name, array.components, array.values});
-}
-
-std::vector<Array> program_arrays_of(const exchange::SurfacePacket& file, const std::string& prefix) {
-  std::vector<Array> arrays;
-  for (const auto& array : file.field_data) {
-    if (array.name.starts_with(prefix))
-      arrays.push_back({array.name.substr(prefix.size()), array.components, array.values});
-  }
-  return arrays;
 }
 
 NodeVectors elastic_forces(const std::vector<CapsuleMembrane>& membranes) {
@@ -91,13 +73,6 @@ void add_state(exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>
     add_program_arrays(file, state.program.point_data, program_prefix(k, "point"));
     add_program_arrays(file, state.program.cell_data, program_prefix(k, "cell"));
   }
-}
-
-MembraneState membrane_state_of(const exchange::SurfacePacket& file, std::size_t capsule,
-                                const std::string& name) {
-  return {exchange::find_array(file.field_data, history_name(capsule), name).values,
-          {program_arrays_of(file, program_prefix(capsule, "point")),
-           program_arrays_of(file, program_prefix(capsule, "cell"))}};
 }
 
 void restore_membranes(std::vector<CapsuleMembrane>& membranes, const exchange::SurfacePacket& file,

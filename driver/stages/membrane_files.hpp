@@ -27,10 +27,6 @@ exchange::SurfacePacket membrane_file(const std::vector<CapsuleMembrane>& membra
 /// (OutsideMembrane::state()).
 void add_state(exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>& membranes);
 
-/// The state of one capsule's membrane. @throws exchange::FileError if its history is missing
-MembraneState membrane_state_of(const exchange::SurfacePacket& file, std::size_t capsule,
-                                const std::string& name);
-
 /// Takes the states over. @param name of the file, for messages
 /// @throws exchange::FileError if a history is missing or is not one of these membranes
 void restore_membranes(std::vector<CapsuleMembrane>& membranes, const exchange::SurfacePacket& file,

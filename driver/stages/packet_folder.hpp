@@ -1,22 +1,15 @@
 // The packets of steps as files in a directory.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 
 #include "driver/stages/packet_files.hpp"
-#include "driver/system.hpp"
 
 namespace tanktread::driver {
 
 /// The file of a packet of the step that makes `step`: DIR/node_force/node_force_0000000013.vtu.
 std::filesystem::path packet_path(const std::filesystem::path& directory, Packet packet, std::int64_t step);
-
-/// Writes a packet of the step that the system is at work on. What lives on capsules has their present
-/// positions as points. @throws exchange::FileError
-void write_packet(const std::filesystem::path& file, const System& system, Packet packet,
-                  const GridVectors& vectors);
-void write_packet(const std::filesystem::path& file, const System& system, Packet packet,
-                  const NodeVectors& vectors);
 
 /// Reads a packet that lives on the grid. @throws exchange::FileError, also if it is of another step
 GridVectors read_grid_packet(const std::filesystem::path& file, Packet packet, const Box& box,

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "driver/case.hpp"
-#include "driver/stages/fluid_files.hpp"
 #include "driver/stages/packet_folder.hpp"
 #include "exchange/vtk_files.hpp"
 
@@ -66,6 +65,10 @@ ReplayRecord::ReplayRecord(const ReplayOptions& options) : directory_(options.re
   box_ = read_case(directory_ / "echo.toml").flow.box;
   const auto end = directory_ / "end" / membrane_state_file;
   last_step_ = step_of(exchange::read_surface(end).field_data, end.string());
+}
+
+NodeVectors ReplayRecord::positions_before(std::int64_t step) const {
+  return step == first_step() ? begin_.positions : nodes(Packet::positions, step - 1);
 }
 
 NodeVectors ReplayRecord::nodes(Packet packet, std::int64_t step) const {

@@ -8,7 +8,7 @@
 
 #include "driver/stages/packet_files.hpp"
 #include "driver/stages/replay.hpp"
-#include "driver/stages/state_folder.hpp"
+#include "driver/stages/saved_state.hpp"
 
 namespace tanktread::driver {
 
@@ -22,6 +22,8 @@ class ReplayRecord {
   std::int64_t first_step() const { return begin_.step + 1; }
   std::int64_t last_step() const { return last_step_; }
 
+  /// The positions that the step which makes `step` begins with.
+  NodeVectors positions_before(std::int64_t step) const;
   /// A packet of the step that makes `step`.
   NodeVectors nodes(Packet packet, std::int64_t step) const;
   /// @param everywhere all nodes of the file, not only those that crossed the border

@@ -6,32 +6,10 @@
 
 #include "driver/stages/fluid_files.hpp"
 #include "driver/stages/membrane_files.hpp"
-#include "driver/stages/packet_files.hpp"
 #include "driver/stages/phases.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
-namespace {
-
-void read_membranes(const std::filesystem::path& file, SavedState& state) {
-  const auto content = exchange::read_surface(file);
-  const auto name = file.string();
-  auto surfaces = surfaces_of(content, name);
-  const auto references = vectors_of(content, "reference_position", surfaces, name);
-  for (std::size_t k = 0; k < references.size(); ++k) {
-    state.references.push_back({references[k], surfaces.triangles[k]});
-    state.membranes.push_back(membrane_state_of(content, k, name));
-  }
-  state.node_velocity = vectors_of(content, "velocity", surfaces, name);
-  state.node_force = vectors_of(content, "total_force", surfaces, name);
-  state.positions = std::move(surfaces.positions);
-  if (step_of(content.field_data, name) != state.step) {
-    throw exchange::FileError(fmt::format("{}: of step {}, the fluid beside it of step {}", name,
-                                          step_of(content.field_data, name), state.step));
-  }
-}
-
-}  // namespace
 
 void write_state(const std::filesystem::path& folder, const System& system) {
   std::filesystem::create_directories(folder);
@@ -40,16 +18,6 @@ void write_state(const std::filesystem::path& folder, const System& system) {
                                  system.shear_time());
   add_state(membranes, system.membranes);
   exchange::write_surface(folder / membrane_state_file, membranes);
-}
-
-SavedState read_state(const std::filesystem::path& folder) {
-  SavedState state;
-  state.folder = folder;
-  const auto fluid = folder / fluid_state_file;
-  state.fluid = state_of(exchange::read_grid(fluid), fluid.string());
-  state.step = state.fluid.step;
-  read_membranes(folder / membrane_state_file, state);
-  return state;
 }
 
 void restore(System& system, const SavedState& state) {

@@ -1,0 +1,31 @@
+#include "driver/components.hpp"
+#include "driver/stages/phases.hpp"
+#include "driver/stages/replay_component.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+void feed(ReplayRecord& record, const Case& the_case) {
+  const auto coupler = make_coupler(the_case);
+  for (auto step = record.first_step(); step <= record.last_step(); ++step) {
+    const auto before = record.positions_before(step);
+    build_stencils(*coupler, before);
+    record.compare(Packet::node_velocity, step,
+                   interpolate(*coupler, record.grid(Packet::grid_velocity, step, true), before));
+    record.compare(
+        Packet::grid_force, step,
+        spread(*coupler, record.nodes(Packet::positions, step), record.nodes(Packet::node_force, step)));
+  }
+}
+
+}  // namespace
+
+void replay_coupler(ReplayRecord& record, const Case& the_case) {
+  try {
+    feed(record, the_case);
+  } catch (const coupler::StencilError& error) {
+    throw InputError(error.what());
+  }
+}
+
+}  // namespace tanktread::driver

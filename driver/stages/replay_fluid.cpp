@@ -1,0 +1,27 @@
+#include "driver/components.hpp"
+#include "driver/stages/fluid_files.hpp"
+#include "driver/stages/phases.hpp"
+#include "driver/stages/replay_component.hpp"
+#include "driver/stages/stage_errors.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+void feed(ReplayRecord& record, const Case& the_case) {
+  const auto fluid = make_fluid(the_case, flow_parameters(the_case));
+  fluid->restore(record.begin().fluid);
+  for (auto step = record.first_step(); step <= record.last_step(); ++step) {
+    record.compare(Packet::grid_velocity, step,
+                   grid_velocity(*fluid, record.grid(Packet::grid_velocity, step, true).nodes));
+    advance_fluid(*fluid, record.grid(Packet::grid_force, step));
+  }
+  record.compare_end(state_file(fluid->state(), fluid->shape()));
+}
+
+}  // namespace
+
+void replay_fluid(ReplayRecord& record, const Case& the_case) {
+  with_stage_errors<fluid::Breakdown>([&] { feed(record, the_case); });
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,34 @@
+#include "driver/components.hpp"
+#include "driver/stages/membrane_files.hpp"
+#include "driver/stages/phases.hpp"
+#include "driver/stages/replay_component.hpp"
+#include "driver/stages/stage_errors.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+void feed(ReplayRecord& record, const Case& the_case) {
+  const auto& begin = record.begin();
+  auto membranes = make_membranes(the_case, parameters(the_case), begin.references);
+  for (std::size_t k = 0; k < membranes.size(); ++k) {
+    membranes[k].set_positions(begin.positions[k]);
+    membranes[k].restore(begin.membranes[k]);
+  }
+  for (auto step = record.first_step(); step <= record.last_step(); ++step) {
+    const auto velocity = record.nodes(Packet::node_velocity, step);
+    record.compare(Packet::positions, step, move_nodes(record.positions_before(step), velocity));
+    record.compare(Packet::node_force, step,
+                   nodal_forces(membranes, record.nodes(Packet::positions, step), velocity, step));
+  }
+  auto end = surface_file(surfaces_of(membranes), record.last_step());
+  add_state(end, membranes);
+  record.compare_end(end);
+}
+
+}  // namespace
+
+void replay_membrane(ReplayRecord& record, const Case& the_case) {
+  with_stage_errors<LongMove, membrane::InvertedElement>([&] { feed(record, the_case); });
+}
+
+}  // namespace tanktread::driver
