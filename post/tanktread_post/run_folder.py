@@ -7,13 +7,21 @@ import tomllib
 from .observables import InputError, Observables
 
 
+def _laid_over(shared, own):
+    """Two tables as one, key by key, where the second holds."""
+    return shared | {key: _laid_over(shared.get(key, {}), value) if isinstance(value, dict) else value for key, value in own.items()}
+
+
 def read_echo(directory):
-    """echo.toml: the case that made this folder, as a dictionary."""
+    """echo.toml: the case that made this folder, as a dictionary. Each capsule has its whole membrane."""
     file = pathlib.Path(directory) / "echo.toml"
     if not file.is_file():
         raise InputError(f"{file}: there is no such file; is {directory} the output of a run?")
     with open(file, "rb") as stream:
-        return tomllib.load(stream)
+        echo = tomllib.load(stream)
+    for capsule in echo.get("capsule", []):
+        capsule["membrane"] = _laid_over(echo.get("membrane", {}), capsule.get("membrane", {}))
+    return echo
 
 
 def is_run(directory):

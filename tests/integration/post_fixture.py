@@ -28,7 +28,7 @@ inertia = {inertia}
 radius = {radius}
 position = [{centre}, {centre}, {centre}]
 mesh = {{ shape = 'sphere', level = 3 }}
-[capsule.membrane]
+[membrane]
 elastic_law = '{law}'
 capillary_number = {capillary_number}
 capillary_modulus = '{modulus}'

@@ -4,7 +4,7 @@ import unittest
 
 from post_fixture import InFolder, write_run
 
-from tanktread_post import measured, reference
+from tanktread_post import measured, reference, run_folder
 
 LOG = """time   3.000 of 3.000  D 0.0400  inclination  44.00 deg  50.0 MLUPS  0 s left
 cost: fluid 91.5 %, coupler 7.0 %, membrane 1.5 % of 1 min 00 s
@@ -29,6 +29,15 @@ class Measured(InFolder):
         self.assertEqual(rows[0]["box"], "72 x 72 x 72")
         self.assertEqual(rows[0]["shear_rate_by"], "reynolds_number 0.1")
         self.assertEqual([rows[0][name] for name in measured.COST], ["48.5", "91.5", "7", "1.5"])
+
+    def test_a_capsule_has_the_shared_membrane_and_its_own_keys(self):
+        write_run(self.folder / "run", viscous={"scheme": "fd", "interval": 25})
+        echo = self.folder / "run/echo.toml"
+        own = "membrane = { capillary_number = 0.7, viscous = { interval = 3 } }\n"
+        echo.write_text(echo.read_text().replace("[membrane]", own + "[[capsule]]\nradius = 1.0\n[membrane]"))
+        first, second = (capsule["membrane"] for capsule in run_folder.read_echo(self.folder / "run")["capsule"])
+        self.assertEqual((first["capillary_number"], first["viscous"]), (0.7, {"scheme": "fd", "interval": 3}))
+        self.assertEqual((second["capillary_number"], second["viscous"]), (0.02, {"scheme": "fd", "interval": 25}))
 
     def test_membrane_viscosity_has_columns_of_its_own(self):
         file = self.add("elastic", 0.04)
