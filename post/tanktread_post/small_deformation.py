@@ -180,6 +180,8 @@ def _slope_row(series, law, kernel, factor, inside):
     limit = extrapolated(slopes, factor, series.settings["least_radius"])
     if math.isnan(limit):
         return law, slopes, limit, "not judged yet"
+    if kernel != series.settings["judged_kernel"]:
+        return law, slopes, limit, "shown only"
     inside.append(abs(limit - 1.0) <= series.settings["band"])
     return law, slopes, limit, "inside" if inside[-1] else "OUTSIDE"
 

@@ -15,6 +15,7 @@ band = 0.02
 laws = ["skalak", "neo-hookean"]
 kernel = "cosine4"
 slope_kernels = ["cosine4"]
+judged_kernel = "cosine4"
 kernels = ["cosine4", "roma3"]
 kernel_law = "skalak"
 kernel_capillary_number = 0.02
@@ -80,6 +81,16 @@ class SmallDeformation(InFolder):
                 self.runs(factor)
                 self.assertEqual(self.compare()[0], code)
         self.assertIn("OUTSIDE", self.compare()[1])
+
+    def test_judges_one_kernel_and_shows_the_others(self):
+        settings = SETTINGS.replace('slope_kernels = ["cosine4"]', 'slope_kernels = ["cosine4", "roma3"]')
+        self.runs(1.1)
+        (self.folder / "case/compare.toml").write_text(settings)
+        self.assertEqual(self.compare()[0], 1)
+        (self.folder / "case/compare.toml").write_text(settings.replace('judged_kernel = "cosine4"', 'judged_kernel = "roma3"'))
+        code, text = self.compare()
+        self.assertEqual(code, 0)
+        self.assertIn("shown only", text)
 
     def test_shows_what_is_there(self):
         self.run_of("one")
