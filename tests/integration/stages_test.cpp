@@ -161,6 +161,18 @@ TEST_F(Stages, RefusesWhatIsNotThePacketThatItShouldBe) {
   EXPECT_THAT(refusal(), HasSubstr("the array 'total_force' has 1 components; a vector has 3"));
 }
 
+TEST_F(Stages, RefusesPositionsBeyondAWall) {
+  record(17);
+  const auto force = path("record/node_force/node_force_0000000019.vtu"),
+             positions = path("record/positions/positions_0000000019.vtu");
+  for (const auto& file : {force, positions}) {
+    change_packet(file, [](auto& packet) { packet.points[2] = 19.5; });  // the wall lies at 20
+  }
+  EXPECT_THAT(stage({"coupler", "spread", "--in", force, "--out", path("none")}, 2), HasSubstr("wall"));
+  EXPECT_THAT(call({"replay", path("record"), "--only", "coupler"}, 2), HasSubstr("wall"));
+  EXPECT_FALSE(std::filesystem::exists(path("none")));
+}
+
 TEST_F(Stages, RefusesAFlippedBit) {
   record();
   const auto file = path("record/node_force/node_force_0000000003.vtu");

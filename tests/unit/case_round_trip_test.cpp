@@ -88,9 +88,8 @@ TEST(CaseRoundTrip, EveryTextSurvives) {
 
 TEST(CaseRoundTrip, EveryKeyThatHasAPlaceIsWritten) {
   const auto toml = to_toml(parse(full_case));
-  for (const auto* key :
-       {"wall_axis", "inertia", "speed_limit", "mesh.level", "viscosity_ratio", "\nviscous.scheme",
-        "membrane.poisson_ratio", "checkpoint_every", "fluid_box"}) {
+  for (const auto* key : {"wall_axis", "inertia", "speed_limit", "mesh.level", "viscosity_ratio",
+                          "\nviscous.scheme", "membrane.poisson_ratio", "checkpoint_every", "fluid_box"}) {
     EXPECT_THAT(toml, HasSubstr(std::string(key) + " = "));
   }
   // What all capsules share stands in [membrane] alone, so that it can be changed there.

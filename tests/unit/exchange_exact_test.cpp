@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/unit/exchange_base64.hpp"
 #include "tests/unit/exchange_samples.hpp"
 
 namespace tanktread::exchange::testing {
@@ -10,42 +11,22 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-std::string base64(const std::string& bytes) {
-  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t k = 0; k < bytes.size(); k += 3) {
-    unsigned three = 0;
-    for (std::size_t n = k; n < k + 3; ++n)
-      three = three << 8 | (n < bytes.size() ? static_cast<unsigned char>(bytes[n]) : 0U);
-    for (std::size_t n = 0; n < 4; ++n)
-      text += k + n > bytes.size() ? '=' : digits[three >> (18 - 6 * n) & 63];
-  }
-  return text;
-}
-
 /// An array as other programs write it, in line.
-template <class Number>
 std::string array(const std::string& type, const std::string& name, int components,
-                  const std::vector<Number>& values) {
-  const auto n_bytes = static_cast<std::uint32_t>(sizeof(Number) * values.size());
-  const std::string bytes = std::string(reinterpret_cast<const char*>(&n_bytes), 4) +
-                            std::string(reinterpret_cast<const char*>(values.data()), n_bytes);
+                  const std::string& values) {
   return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
-         std::to_string(components) + "\" format=\"binary\">" + base64(bytes) + "</DataArray>";
+         std::to_string(components) + "\" format=\"binary\">" + binary(type, values) + "</DataArray>";
 }
 
 const std::string as_text = "<DataArray type=\"Float64\" Name=\"count\" format=\"ascii\">1 2 3</DataArray>";
 
 /// One triangle with an array on its points.
-template <class Coordinate>
-std::string surface_text(const std::string& point_array, const std::string& points_type) {
+std::string surface_text(const std::string& point_array, const std::string& points_type = "Float64") {
   return "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\"><UnstructuredGrid>"
          "<Piece NumberOfPoints=\"3\" NumberOfCells=\"1\"><PointData>" +
-         point_array + "</PointData><Points>" +
-         array<Coordinate>(points_type, "Points", 3, {0, 0, 0, 1, 0, 0, 0, 1, 0}) + "</Points><Cells>" +
-         array<std::int32_t>("Int32", "connectivity", 1, {0, 1, 2}) +
-         array<std::int32_t>("Int32", "offsets", 1, {3}) + array<std::uint8_t>("UInt8", "types", 1, {5}) +
-         "</Cells></Piece></UnstructuredGrid></VTKFile>\n";
+         point_array + "</PointData><Points>" + array(points_type, "Points", 3, "0 0 0 1 0 0 0 1 0") +
+         "</Points><Cells>" + array("Int32", "connectivity", 1, "0 1 2") + array("Int32", "offsets", 1, "3") +
+         array("UInt8", "types", 1, "5") + "</Cells></Piece></UnstructuredGrid></VTKFile>\n";
 }
 
 /// Three nodes.
@@ -83,29 +64,27 @@ TEST_F(ExactReading, EveryBitOfOurOwnFilesComesBack) {
 }
 
 TEST_F(ExactReading, SinglePrecisionIsRefusedByName) {
-  const auto single = array<float>("Float32", "count", 1, {1, 2, 3});
-  EXPECT_THAT(surface_error(surface_text<double>(single, "Float64")),
+  const auto single = array("Float32", "count", 1, "1 2 3");
+  EXPECT_THAT(surface_error(surface_text(single)),
               AllOf(HasSubstr("file.vtu: point data array 'count' is of single precision (Float32)"),
                     HasSubstr("write it as Float64")));
-  EXPECT_THAT(surface_error(surface_text<float>("", "Float32")),
+  EXPECT_THAT(surface_error(surface_text("", "Float32")),
               HasSubstr("file.vtu: the array of points is of single precision"));
   EXPECT_THAT(grid_error(grid_text(single)),
               HasSubstr("file.vti: point data array 'count' is of single precision"));
 }
 
 TEST_F(ExactReading, NumbersAsTextAreRefusedByName) {
-  EXPECT_THAT(surface_error(surface_text<double>(as_text, "Float64")),
-              HasSubstr("file.vtu: array 'count' is written as ASCII"));
+  EXPECT_THAT(surface_error(surface_text(as_text)), HasSubstr("file.vtu: array 'count' is written as ASCII"));
   EXPECT_THAT(grid_error(grid_text(as_text)), HasSubstr("file.vti: array 'count' is written as ASCII"));
 }
 
 TEST_F(ExactReading, DoublesInLineAndWidenedIntegersAreTaken) {
   const std::vector<double> counts = {1, 2, 3};
-  const auto integers = array<std::int64_t>("Int64", "count", 1, {1, 2, 3});
-  EXPECT_EQ(surface_error(surface_text<double>(integers, "Float64")), "(no error)");
+  EXPECT_EQ(surface_error(surface_text(array("Int64", "count", 1, "1 2 3"))), "(no error)");
   EXPECT_EQ(surface_.point_data.at(0).values, counts);
   EXPECT_EQ(surface_.points, (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0}));
-  EXPECT_EQ(grid_error(grid_text(array("Float64", "count", 1, counts))), "(no error)");
+  EXPECT_EQ(grid_error(grid_text(array("Float64", "count", 1, "1 2 3"))), "(no error)");
   EXPECT_EQ(grid_.point_data.at(0).values, counts);
 }
 
