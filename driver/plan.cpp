@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "driver/case_programs.hpp"
@@ -15,23 +16,25 @@
 namespace tanktread::driver {
 namespace {
 
-/// Million node updates a second of the first steps of the case; 0 if it breaks down within them.
+/// Million node updates a second of the first steps of the case, for a second or a tenth of the run; 0 if it
+/// breaks down within them.
 double measure_speed(const Case& the_case, const Parameters& parameters,
                      const std::vector<membrane::TriangleMesh>& meshes) {
   constexpr double probe_seconds = 1.0;
   constexpr int n_warm_up = 2, n_least = 3;
+  const auto n_enough = std::max<std::int64_t>(n_least, steps_of(the_case.run.shear_time, parameters) / 10);
   try {
     auto system = make_system(the_case, parameters, meshes);
     for (int k = 0; k < n_warm_up; ++k) advance(system);
     const auto start = std::chrono::steady_clock::now();
     double seconds = 0;
-    int n_steps = 0;
-    while (n_steps < n_least || seconds < probe_seconds) {
+    std::int64_t n_steps = 0;
+    while (n_steps < n_least || (seconds < probe_seconds && n_steps < n_enough)) {
       advance(system);
       ++n_steps;
       seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
-    return 1e-6 * n_steps * static_cast<double>(system.fluid->shape().size()) / seconds;
+    return 1e-6 * static_cast<double>(n_steps) * static_cast<double>(system.fluid->shape().size()) / seconds;
   } catch (const RunError&) {
     return 0.0;  // the run itself will say what is wrong, and when
   }

@@ -20,7 +20,8 @@ struct Plan {
   std::string echo;  ///< the text for the user
 };
 
-/// Works a case out. Its speed on this machine is measured by a probe: the case itself, for about a second.
+/// Works a case out. Its speed on this machine is measured by a probe: the case itself, for about a second,
+/// or a tenth of the run if that is less.
 /// @param meshes the reference meshes if they are known (a resumed run), else they are made
 /// @throws InputError
 Plan make_plan(const Case& the_case, std::vector<membrane::TriangleMesh> meshes = {});
