@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "driver/commands.hpp"
+#include "driver/output_directory.hpp"
 #include "driver/run.hpp"
 
 namespace tanktread::driver {
@@ -26,13 +27,15 @@ std::filesystem::path default_output(const std::filesystem::path& case_file) {
 }
 
 int run_case(const RunArguments& arguments) {
-  const auto plan = make_plan(read_case(arguments.case_file, arguments.assignments));
-  fmt::print("{}", plan.echo);
   RunOptions options;
   options.output = arguments.output.empty() ? default_output(arguments.case_file)
                                             : std::filesystem::path(arguments.output);
   options.force = arguments.force;
   options.packets = arguments.packets;
+  const auto the_case = read_case(arguments.case_file, arguments.assignments);
+  check_output_directory(options.output, options.force);  // before the probe of the speed
+  const auto plan = make_plan(the_case);
+  fmt::print("{}", plan.echo);
   return run_new(plan, options);
 }
 

@@ -2,11 +2,15 @@
 // input, 3 a run went wrong, 130/143 signal.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 #include "driver/case.hpp"
 #include "driver/commands.hpp"
 #include "driver/missing_command.hpp"
+#include "driver/spelling.hpp"
 #include "driver/version.hpp"
 
 namespace {
@@ -17,6 +21,19 @@ constexpr int exit_run_failed = 3;
 int fail(int code, const char* message) {
   fmt::print(stderr, "tanktread: error: {}\n", message);
   return code;
+}
+
+/// CLI11 would only say that a subcommand is required. @throws InputError for a first word that is none
+void check_subcommand(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  if (std::ranges::find(names, argv[1]) != names.end()) return;
+  const auto similar = tanktread::driver::nearest_spelling(argv[1], names);
+  throw tanktread::driver::InputError(fmt::format(
+      "'{}' is no subcommand; {}", argv[1],
+      similar.empty() ? "tanktread --help lists them" : fmt::format("did you mean {}?", similar)));
 }
 
 }  // namespace
@@ -40,6 +57,7 @@ int main(int argc, char** argv) {
   tanktread::driver::add_diff_command(app, exit_code);
   tanktread::driver::put_missing_last(app);
   try {
+    check_subcommand(app, argc, argv);
     app.parse(argc, argv);
     return exit_code;
   } catch (const CLI::ParseError& error) {

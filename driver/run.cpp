@@ -111,7 +111,14 @@ Case read_echo(const std::filesystem::path& directory, std::optional<double> she
   std::vector<std::string> assignments;
   if (shear_time) assignments.push_back(fmt::format("run.shear_time={}", *shear_time));
   if (threads) assignments.push_back(fmt::format("run.threads={}", *threads));
-  return read_case(directory / "echo.toml", assignments);
+  const auto echo = directory / "echo.toml";
+  if (!std::filesystem::is_regular_file(echo)) {
+    throw InputError(fmt::format(
+        "--resume {}: not the output of a run, for it holds no echo.toml; give the directory that "
+        "--output named",
+        directory.string()));
+  }
+  return read_case(echo, assignments);
 }
 
 /// Whether there is anything left to do. @throws InputError for an end that cannot be reached from the

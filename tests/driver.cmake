@@ -1,5 +1,5 @@
 # Tests of driver; included by tests/CMakeLists.txt when the component is built.
-tanktread_test(run_test SOURCES integration/run_test.cpp integration/program.cpp LIBRARIES)
+tanktread_test(run_test SOURCES integration/run_test.cpp integration/command_line_test.cpp integration/program.cpp LIBRARIES)
 target_compile_definitions(run_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
 add_dependencies(run_test tanktread)
 tanktread_test(diff_test SOURCES integration/diff_test.cpp integration/diff_directory_test.cpp integration/program.cpp

@@ -3,7 +3,9 @@
 #   cases/run staged-step, or with a tanktread in PATH: cases/staged-step/run.sh OUTPUT_DIRECTORY
 set -euo pipefail
 case=$(dirname "$(realpath "$0")")/../shear-capsule/case.toml
-mkdir -p "$1" && cd "$1" && rm -rf staged record fused && mkdir staged
+output=${1:?usage: run.sh OUTPUT_DIRECTORY}
+tanktread --version >/dev/null
+mkdir -p "$output" && cd "$output" && rm -rf staged record fused && mkdir staged
 
 tanktread membrane --case "$case" --out staged/membrane.vtu
 tanktread fluid --case "$case" --steps 0 --out staged/fluid.vti --fields flow.vti
