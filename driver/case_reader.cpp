@@ -147,7 +147,14 @@ Value CaseReader::value(const std::string& path) const {
 }
 
 bool CaseReader::is_idle(const std::string& path, const Key& key) const {
-  return !assignments_.empty() && assignment_to(path) == nullptr && toml_text(value(path)) == key.preset;
+  const auto table = [](const std::string& name) {
+    const auto first = name.substr(0, name.find('.'));
+    return first == "capsule" ? "membrane"
+                              : first;  // a capsule's keys are those of its membrane, as far as it matters
+  };
+  const bool is_touched =
+      std::ranges::any_of(assignments_, [&](const Assignment& a) { return table(a.path) == table(path); });
+  return is_touched && assignment_to(path) == nullptr && toml_text(value(path)) == key.preset;
 }
 
 std::size_t CaseReader::n_capsules() const {

@@ -43,7 +43,7 @@ int run_case(const RunArguments& arguments) {
 void add_packet_options(CLI::App& command, PacketOptions& packets) {
   auto* record = command.add_option("--record", packets.record,
                                     "Write every packet of the steps --from to --to into this directory");
-  command.add_option("--from", packets.from, "First time step to record (default 0)")
+  command.add_option("--from", packets.from, "First time step to record (default: the first)")
       ->check(CLI::NonNegativeNumber)
       ->needs(record);
   command.add_option("--to", packets.to, "Last time step to record (default: the end of the run)")

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -42,6 +44,11 @@ std::vector<membrane::TriangleMesh> reference_meshes(const Case& the_case) {
 
 std::vector<CapsuleMembrane> make_membranes(const Case& the_case, const Parameters& parameters,
                                             const std::vector<membrane::TriangleMesh>& meshes) {
+  if (meshes.size() != the_case.capsules.size()) {
+    throw InputError(
+        fmt::format("{}: {} capsules, but there are meshes of {}: the state and the case do not fit",
+                    the_case.file.string(), the_case.capsules.size(), meshes.size()));
+  }
   std::vector<CapsuleMembrane> membranes;
   for (std::size_t k = 0; k < meshes.size(); ++k) {
     const bool has_program = !the_case.capsules[k].membrane.command.empty();

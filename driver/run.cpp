@@ -41,7 +41,7 @@ void print_closing(const System& system, const Progress& progress, const std::fi
 
 /// The steps to record, checked against those of the run. @throws InputError
 RecordedSteps recorded_steps(const PacketOptions& packets, std::int64_t first_step, std::int64_t last_step) {
-  const RecordedSteps steps{packets.from, packets.to.value_or(last_step)};
+  const RecordedSteps steps{packets.from.value_or(first_step), packets.to.value_or(last_step)};
   if (steps.from >= first_step && steps.from < steps.to && steps.to <= last_step) return steps;
   throw InputError(
       fmt::format("--from {} --to {}: the run goes from step {} to step {}; give steps within that, the "
@@ -53,9 +53,24 @@ RecordedSteps recorded_steps(const PacketOptions& packets, std::int64_t first_st
 void check_packets(const PacketOptions& packets, std::int64_t first_step, std::int64_t last_step) {
   if (packets.record.empty()) return;
   recorded_steps(packets, first_step, last_step);
-  if (std::filesystem::exists(packets.record) && !std::filesystem::is_empty(packets.record)) {
+  const bool is_there = std::filesystem::exists(packets.record);
+  if (is_there && !std::filesystem::is_directory(packets.record)) {
+    throw InputError(fmt::format("--record {}: is no directory; give another name", packets.record.string()));
+  }
+  if (is_there && !std::filesystem::is_empty(packets.record)) {
     throw InputError(fmt::format("--record {}: holds something already; give another directory or remove it",
                                  packets.record.string()));
+  }
+}
+
+/// Before an earlier run is removed: the record may not be possible. @throws InputError
+void make_record_directory(const PacketOptions& packets) {
+  if (packets.record.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(packets.record, error);
+  if (error) {
+    throw InputError(fmt::format("--record {}: cannot be made ({}); give another directory",
+                                 packets.record.string(), error.message()));
   }
 }
 
@@ -64,7 +79,6 @@ std::unique_ptr<Passage> make_passage(const PacketOptions& packets, const Plan& 
   if (packets.through_files) return std::make_unique<FilePassage>(directory / "packets");
   if (packets.record.empty()) return std::make_unique<Passage>();
   const auto last_step = steps_of(plan.the_case.run.shear_time, plan.parameters);
-  std::filesystem::create_directories(packets.record);
   write_echo(plan, packets.record);
   return std::make_unique<Recorder>(packets.record, recorded_steps(packets, first_step, last_step));
 }
@@ -88,7 +102,10 @@ int run_on(System& system, Passage& passage, const Plan& plan, Output& output,
     while (system.step < last_step && SignalGuard::caught() == 0) {
       advance_and_write(system, passage, output, progress, checkpoints, last_step, directory);
     }
-    if (system.step < last_step) write_checkpoint(system, directory);
+    if (system.step < last_step) {
+      write_checkpoint(system, directory);
+      passage.stopped(system);
+    }
   } catch (const RunError& error) {
     progress.finish(system.step);
     stop_broken(error, directory);
@@ -142,6 +159,7 @@ int run_new(const Plan& plan, const RunOptions& options) {
   // Before anything is written: a program may not start, a mesh may not fit.
   auto system = make_system(plan.the_case, plan.parameters, plan.meshes);
   const DirectoryLock lock(options.output);
+  make_record_directory(options.packets);
   if (options.force) remove_earlier_run(options.output);
   remove_temporary_files(options.output);
   write_echo(plan, options.output);
@@ -165,6 +183,10 @@ int run_resumed(const std::filesystem::path& directory, std::optional<double> sh
   const auto last_step = steps_of(the_case.run.shear_time, plan.parameters);
   if (!goes_on(checkpoint, last_step, steps_of(former_case.run.shear_time, plan.parameters),
                the_case.run.shear_time)) {
+    if (!packets.record.empty()) {
+      throw InputError(
+          "--record: the run is at its end, so there is no step to record; extend it with --shear-time");
+    }
     fmt::print("the run is at its end; --shear-time extends it\n");
     return 0;
   }
@@ -172,6 +194,7 @@ int run_resumed(const std::filesystem::path& directory, std::optional<double> sh
   auto system = make_system(the_case, plan.parameters, checkpoint.references);
   restore(system, checkpoint);
   checkpoint.fluid = {};  // as large as the lattice itself
+  make_record_directory(packets);
   remove_temporary_files(directory);
   if (shear_time || threads) write_echo(plan, directory);
   Output output(plan.the_case, plan.parameters, directory);

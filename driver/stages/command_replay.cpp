@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
+#include <tuple>
 
 #include "driver/commands.hpp"
 #include "driver/stages/replay.hpp"
@@ -46,6 +48,13 @@ int report_identity(const ReplayOptions& options, const std::vector<ReplayedArra
   return exit_different;
 }
 
+/// How bad a difference is: what cannot be compared, then not a number, then the size.
+std::tuple<int, double> rank(const exchange::ArrayDifference& difference) {
+  if (!difference.problem.empty()) return {2, 0.0};
+  if (std::isnan(difference.max)) return {1, 0.0};
+  return {0, difference.max};
+}
+
 /// The largest difference of each array over all steps.
 void report_sizes(const ReplayOptions& options, const std::vector<ReplayedArray>& arrays) {
   std::map<std::string, const ReplayedArray*> worst;
@@ -54,7 +63,7 @@ void report_sizes(const ReplayOptions& options, const std::vector<ReplayedArray>
     const auto name = array.packet + " " + array.difference.name;
     auto& entry = worst[name];
     if (entry == nullptr) order.push_back(name);
-    if (entry == nullptr || array.difference.max > entry->difference.max) entry = &array;
+    if (entry == nullptr || rank(array.difference) > rank(entry->difference)) entry = &array;
   }
   fmt::print("{}: {} steps; of each array the step with the largest difference\n", options.component,
              count_steps(arrays));

@@ -88,4 +88,8 @@ void Recorder::step_done(const System& system) {
   if (system.step == steps_.to) write_state(directory_ / "end", system);
 }
 
+void Recorder::stopped(const System& system) {
+  if (system.step > steps_.from && system.step < steps_.to) write_state(directory_ / "end", system);
+}
+
 }  // namespace tanktread::driver

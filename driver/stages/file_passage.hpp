@@ -35,6 +35,8 @@ class Recorder : public Passage {
   void pass(const System& system, Packet packet, GridVectors& vectors) override;
   void pass(const System& system, Packet packet, NodeVectors& vectors) override;
   void step_done(const System& system) override;
+  /// What was recorded so far is a whole record.
+  void stopped(const System& system) override;
 
  private:
   template <class Vectors>

@@ -45,7 +45,8 @@ Motion twist(const MotionStage& stage, const Parameters& numbers,
   };
   const auto schedule = schedule_of(stage.every, numbers);
   const auto end = steps_of(stage.shear_time, numbers);
-  for (std::int64_t step = 0; step <= end; step += schedule.interval) motion.written.push_back(step);
+  for (std::int64_t step = 0; step < end; step += schedule.interval) motion.written.push_back(step);
+  motion.written.push_back(end);
   return motion;
 }
 
@@ -90,12 +91,12 @@ void follow(const Motion& motion, std::vector<CapsuleMembrane>& membranes, const
             const std::filesystem::path& out) {
   std::vector<exchange::SeriesEntry> entries;
   auto positions = motion.positions(0);
-  NodeVectors velocity, force;
+  NodeVectors velocity, force;  // of the first file: no velocity is known, and the forces are elastic
   for (std::size_t k = 0; k < membranes.size(); ++k) {
     membranes[k].set_positions(positions[k]);
     velocity.emplace_back(Eigen::Matrix3Xd::Zero(3, membranes[k].n_nodes()));
+    force.push_back(membranes[k].elastic_forces());
   }
-  force = velocity;
   std::filesystem::create_directories(out / "membrane");
   auto due = motion.written.begin();
   for (std::int64_t step = 0;; ++step) {
@@ -115,6 +116,22 @@ void follow(const Motion& motion, std::vector<CapsuleMembrane>& membranes, const
   }
 }
 
+/// A viscous law has no history but that of the stress-free shape: from elsewhere the first step would be a
+/// jump.
+void require_rest(const MotionStage& stage, const Parameters& numbers,
+                  std::vector<CapsuleMembrane>& membranes, const NodeVectors& start) {
+  constexpr double rounding = 1e-6;
+  for (std::size_t k = 0; k < membranes.size(); ++k) {
+    membranes[k].set_positions(start[k]);
+    const auto stretches = membranes[k].element_fields().principal_stretches;
+    if (!numbers.capsules[k].viscous || (stretches.array() - 1).abs().maxCoeff() < rounding) continue;
+    throw InputError(fmt::format(
+        "{}: capsule {} is deformed at the beginning; with a membrane viscosity a motion must begin "
+        "with the stress-free shape",
+        stage.series.string(), k));
+  }
+}
+
 void run(const MotionStage& stage) {
   const auto numbers = parameters(stage.the_case);
   const auto meshes = reference_meshes(stage.the_case);
@@ -125,6 +142,7 @@ void run(const MotionStage& stage) {
       !(std::filesystem::is_directory(stage.out) && std::filesystem::is_empty(stage.out))) {
     throw InputError(stage.out.string() + ": is there already; --out must name a new or empty directory");
   }
+  require_rest(stage, numbers, membranes, motion.positions(0));
   follow(motion, membranes, numbers, stage.out);
 }
 

@@ -30,6 +30,16 @@ const Array& vector_array(const std::vector<Array>& arrays, const std::string& a
   return found;
 }
 
+const Array* optional_scalars(const std::vector<Array>& arrays, const std::string& array,
+                              const std::string& name) {
+  const auto* found = optional_array(arrays, array);
+  if (found != nullptr && found->components != 1) {
+    throw FileError(
+        fmt::format("{}: the array '{}' has {} components; 1 is needed", name, array, found->components));
+  }
+  return found;
+}
+
 std::vector<Array> header(std::int64_t step) {
   return {{"step", 1, {static_cast<double>(step)}}, {"schema_version", 1, {schema_version}}};
 }
@@ -37,12 +47,13 @@ std::vector<Array> header(std::int64_t step) {
 /// The number of the capsule of each triangle.
 std::vector<std::size_t> capsule_numbers(const exchange::SurfacePacket& file, const std::string& name) {
   std::vector<std::size_t> numbers(file.triangles.size() / 3, 0);
-  const auto* array = optional_array(file.cell_data, "capsule");
+  const auto* array = optional_scalars(file.cell_data, "capsule", name);
   if (array == nullptr) return numbers;
   std::size_t last = 0;
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const double value = array->values[k];
-    if (value != static_cast<double>(last) && value != static_cast<double>(last + 1)) {
+    const bool is_next = k > 0 && value == static_cast<double>(last + 1);
+    if (value != static_cast<double>(last) && !is_next) {
       throw FileError(
           fmt::format("{}: triangle {} is of capsule {} and follows one of capsule {}; 'capsule' must count "
                       "the capsules from 0, their triangles one after the other",
@@ -106,7 +117,7 @@ Surfaces surfaces_of(const exchange::SurfacePacket& file, const std::string& nam
   for (std::size_t k = 0; k < surfaces.triangles.size(); ++k) {
     auto& triangles = surfaces.triangles[k];
     const bool is_last = k + 1 == surfaces.triangles.size();
-    const Eigen::Index end = is_last ? n_points : triangles.maxCoeff() + 1;
+    const Eigen::Index end = is_last || triangles.size() == 0 ? n_points : triangles.maxCoeff() + 1;
     if (triangles.size() == 0 || triangles.minCoeff() < first || triangles.maxCoeff() >= end) {
       throw FileError(fmt::format(
           "{}: the nodes of capsule {} must lie together and follow those of the capsule before", name, k));
@@ -175,7 +186,7 @@ GridVectors grid_vectors_of(const exchange::GridPacket& file, const std::string&
   check_schema_version(file.field_data, name);
   check_grid(file, box, name);
   const auto& found = vector_array(file.point_data, array, name);
-  const auto* touched = optional_array(file.point_data, touched_array);
+  const auto* touched = optional_scalars(file.point_data, touched_array, name);
   GridVectors vectors;
   if (touched == nullptr) {
     vectors.nodes.resize(found.values.size() / 3);

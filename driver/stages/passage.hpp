@@ -20,10 +20,14 @@ class Passage {
 
   /// The step is done: `system` stands at its end.
   virtual void step_done(const System& system);
+
+  /// The run ends here, before its time: `system` stands at the end of its last step.
+  virtual void stopped(const System& system);
 };
 
 inline void Passage::pass(const System&, Packet, GridVectors&) {}
 inline void Passage::pass(const System&, Packet, NodeVectors&) {}
 inline void Passage::step_done(const System&) {}
+inline void Passage::stopped(const System&) {}
 
 }  // namespace tanktread::driver

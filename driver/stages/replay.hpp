@@ -28,9 +28,11 @@ struct ReplayedArray {
 
 /// Feeds a component the recorded inputs of each step and compares what it gives with what was recorded. Its
 /// own state (history, populations) is its own from the first step on: that recorded at the beginning.
-///   membrane: node_velocity and the positions before it -> positions; positions -> node_force; at the end
-///   its history coupler: positions, grid_velocity -> node_velocity; positions, node_force -> grid_force
-///   fluid: grid_force -> grid_velocity of the next step; at the end its whole state
+/// - membrane: node_velocity and the positions before it -> positions; positions -> node_force; its history
+/// at
+///   the end
+/// - coupler: positions, grid_velocity -> node_velocity; positions, node_force -> grid_force
+/// - fluid: grid_force -> grid_velocity of the next step; its whole state at the end
 /// @return all arrays, in the order of the steps
 /// @throws InputError for a record that is not there, incomplete or does not fit the settings; RunError
 std::vector<ReplayedArray> replay(const ReplayOptions& options);

@@ -27,13 +27,13 @@ Array points_array(const SurfacePacket& file) {
 }
 
 const Array& values_of(const SurfacePacket& file, const std::string& array, Array& points) {
-  if (!array.empty()) return *compared_array(file.point_data, array);
+  if (!array.empty()) return exchange::find_array(file.point_data, array, "a packet");
   points = points_array(file);
   return points;
 }
 
 const Array& values_of(const GridPacket& file, const std::string& array, Array&) {
-  return *compared_array(file.point_data, array);
+  return exchange::find_array(file.point_data, array, "a packet");
 }
 
 void write(const std::filesystem::path& file, const SurfacePacket& content) {
@@ -43,7 +43,7 @@ void write(const std::filesystem::path& file, const GridPacket& content) {
   exchange::write_grid(file, content);
 }
 
-/// Leaves of the recorded end only what the component gave, and of that what was recorded.
+/// Leaves of the recorded end only what the component gave.
 void keep_common(std::vector<Array>& recorded, const std::vector<Array>& given) {
   std::erase_if(recorded, [&](const Array& array) { return compared_array(given, array.name) == nullptr; });
 }
@@ -51,7 +51,7 @@ void keep_common(std::vector<Array>& recorded, const std::vector<Array>& given) 
 }  // namespace
 
 ReplayRecord::ReplayRecord(const ReplayOptions& options) : directory_(options.record), out_(options.out) {
-  for (const char* part : {"echo.toml", "begin", "end"}) {
+  for (const char* part : {"echo.toml", "begin"}) {
     if (!std::filesystem::exists(directory_ / part)) {
       throw InputError(
           fmt::format("{}: holds no {}: not a complete record; make one with tanktread run --record {}",
@@ -64,7 +64,12 @@ ReplayRecord::ReplayRecord(const ReplayOptions& options) : directory_(options.re
   begin_ = read_state(directory_ / "begin");
   box_ = read_case(directory_ / "echo.toml").flow.box;
   const auto end = directory_ / "end" / membrane_state_file;
-  last_step_ = step_of(exchange::read_surface(end).field_data, end.string());
+  has_end_ = std::filesystem::exists(end);
+  last_step_ = has_end_ ? step_of(exchange::read_surface(end).field_data, end.string()) : begin_.step;
+  // A run that broke down has no end: its last step is the last one with all packets.
+  while (!has_end_ && std::filesystem::exists(packet_path(directory_, Packet::grid_force, last_step_ + 1)))
+    ++last_step_;
+  if (last_step_ <= begin_.step) throw InputError(directory_.string() + ": holds no whole step");
 }
 
 NodeVectors ReplayRecord::positions_before(std::int64_t step) const {
@@ -99,6 +104,7 @@ void ReplayRecord::write_field(Packet packet, std::int64_t step, File recorded, 
   const auto& before = values_of(recorded, array, recorded_points);
   const auto& now = values_of(given, array, given_points);
   Array replayed{"replayed_" + now.name, 3, now.values}, difference{"difference_" + now.name, 3, now.values};
+  if (before.values.size() != now.values.size()) return;  // which the comparison has said
   for (std::size_t k = 0; k < now.values.size(); ++k) difference.values[k] -= before.values[k];
   recorded.point_data.push_back(std::move(replayed));
   recorded.point_data.push_back(std::move(difference));
@@ -128,12 +134,13 @@ void ReplayRecord::compare(Packet packet, std::int64_t step, const GridVectors& 
   const auto recorded = exchange::read_grid(file);
   auto now = grid_file(given, array_of(packet), box_, step);
   if (packet == Packet::grid_velocity)
-    now.point_data.back() = *compared_array(recorded.point_data, touched_array);
+    now.point_data.back() = exchange::find_array(recorded.point_data, touched_array, file.string());
   add(step, name_of(packet), file, recorded, now);
   write_field(packet, step, recorded, now, array_of(packet));
 }
 
 void ReplayRecord::compare_end(const SurfacePacket& given) {
+  if (!has_end_) return;
   const auto file = directory_ / "end" / membrane_state_file;
   auto recorded = exchange::read_surface(file);
   keep_common(recorded.point_data, given.point_data);
@@ -143,6 +150,7 @@ void ReplayRecord::compare_end(const SurfacePacket& given) {
 }
 
 void ReplayRecord::compare_end(const GridPacket& given) {
+  if (!has_end_) return;
   const auto file = directory_ / "end" / fluid_state_file;
   add(last_step_, "end", file, exchange::read_grid(file), given);
 }

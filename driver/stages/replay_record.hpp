@@ -49,6 +49,7 @@ class ReplayRecord {
   std::filesystem::path directory_, out_;
   Box box_ = {0, 0, 0};
   SavedState begin_;
+  bool has_end_ = false;
   std::int64_t last_step_ = 0;
   std::vector<ReplayedArray> differences_;
 };

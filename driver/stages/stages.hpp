@@ -16,7 +16,7 @@ struct MembraneStage {
   Case the_case;
   std::filesystem::path in;     ///< a surface file; "": the start of the case, at rest
   bool move = false;            ///< first moves the nodes by the array `velocity` of `in`
-  std::filesystem::path state;  ///< an output of this stage, or a checkpoint's folder; "": no history
+  std::filesystem::path state;  ///< an output of this stage, or membrane.vtu of a checkpoint; "": no history
   std::filesystem::path out;    ///< the surface file to write
 };
 /// @throws InputError for files that do not fit the case; RunError if a node moves too far or an element

@@ -92,6 +92,32 @@ TEST_F(Replay, RefusesWhatIsNoRecord) {
               HasSubstr("grid_force_0000000011.vti: no such file"));
 }
 
+TEST_F(Replay, ARecordWithoutAnEndIsReplayedUpToItsLastWholeStep) {
+  record(5);
+  std::filesystem::remove_all(path("record/end"));
+  std::filesystem::remove(path("record/grid_force/grid_force_0000000020.vti"));
+  EXPECT_THAT(call({"replay", path("record"), "--only", "membrane"}), HasSubstr("identical: 14 steps"));
+  EXPECT_THAT(call({"replay", path("record"), "--only", "fluid"}), HasSubstr("identical: 14 steps"));
+}
+
+TEST_F(Replay, AResumedRunRecordsFromWhereItBegins) {
+  call({"run", path("case.toml"), "--output", path("half"), "--shear-time", "0.02"});
+  EXPECT_THAT(call({"run", "--resume", path("half"), "--record", path("none")}, 2),
+              HasSubstr("the run is at its end"));
+  EXPECT_FALSE(std::filesystem::exists(path("none")));
+  call({"run", "--resume", path("half"), "--shear-time", "0.03", "--record", path("record")});
+  EXPECT_THAT(call({"replay", path("record"), "--only", "coupler"}), HasSubstr("identical: 5 steps"));
+}
+
+TEST_F(Replay, AnImpossibleRecordLeavesTheEarlierRun) {
+  call({"run", path("case.toml"), "--output", path("out")});
+  std::ofstream(path("file")) << "";
+  for (const auto* record : {"file", "file/below"}) {
+    call({"run", path("case.toml"), "--output", path("out"), "--force", "--record", path(record)}, 2);
+    EXPECT_TRUE(std::filesystem::exists(path("out/checkpoints/step_0000000020/fluid.vti"))) << record;
+  }
+}
+
 TEST_F(Replay, OnlyStepsOfTheRunCanBeRecorded) {
   const auto refusal = [&](std::vector<std::string> more) {
     more.insert(more.begin(),

@@ -78,7 +78,7 @@ TEST_F(Stages, MotionFromASeriesIsThatOfTheRun) {
   // A file a step, so that nothing is interpolated: the forces are then those of the run, without any fluid.
   call({"run", path("case.toml"), "--output", path("out"), "--set", "output.membrane_every=0.002"});
   stage({"membrane", "--motion", path("out/membrane.pvd"), "--out", path("motion")});
-  for (const char* file : {"membrane_0000000000.vtu", "membrane_0000000007.vtu", "membrane_0000000020.vtu"}) {
+  for (const char* file : {"membrane_0000000001.vtu", "membrane_0000000007.vtu", "membrane_0000000020.vtu"}) {
     const auto run = exchange::read_surface(directory_ / "out" / "membrane" / file);
     const auto motion = exchange::read_surface(directory_ / "motion" / "membrane" / file);
     EXPECT_EQ(run.points, motion.points);
@@ -171,6 +171,34 @@ TEST_F(Stages, RefusesPositionsBeyondAWall) {
   EXPECT_THAT(stage({"coupler", "spread", "--in", force, "--out", path("none")}, 2), HasSubstr("wall"));
   EXPECT_THAT(call({"replay", path("record"), "--only", "coupler"}, 2), HasSubstr("wall"));
   EXPECT_FALSE(std::filesystem::exists(path("none")));
+}
+
+TEST_F(Stages, RefusesCapsulesAndMarksOfAnotherForm) {
+  record();
+  const auto file = path("record/node_force/node_force_0000000003.vtu");
+  const auto refusal = [&] { return stage({"coupler", "spread", "--in", file, "--out", path("none")}, 2); };
+  change_packet(file, [](auto& packet) {
+    for (auto& number : packet.cell_data[0].values) number += 1;
+  });
+  EXPECT_THAT(refusal(), HasSubstr("'capsule' must count the capsules from 0"));
+  const auto force = path("record/grid_force/grid_force_0000000003.vti");
+  auto grid = exchange::read_grid(force);
+  grid.point_data[1].components = 3;
+  grid.point_data[1].values.resize(3 * grid.point_data[1].values.size());
+  exchange::write_grid(force, grid);
+  EXPECT_THAT(stage({"fluid", "--force", force, "--out", path("none")}, 2),
+              HasSubstr("'touched' has 3 components; 1 is needed"));
+}
+
+TEST_F(Stages, AViscousMotionBeginsAtRest) {
+  call({"run", path("case.toml"), "--output", path("out"), "--set", "output.membrane_every=0.002"});
+  auto entries = exchange::read_series(path("out/membrane.pvd"));
+  entries.erase(entries.begin(), entries.begin() + 10);
+  exchange::write_series(path("out/late.pvd"), entries);
+  EXPECT_THAT(stage({"membrane", "--motion", path("out/late.pvd"), "--out", path("late")}, 2),
+              HasSubstr("capsule 1 is deformed at the beginning"));
+  stage({"membrane", "--motion", path("out/late.pvd"), "--out", path("late"), "--set",
+         "capsule.1.membrane.viscous.scheme=none"});
 }
 
 TEST_F(Stages, RefusesAFlippedBit) {
