@@ -9,6 +9,7 @@ namespace tanktread::driver {
 namespace {
 
 void run(const SpreadStage& stage) {
+  require_place(stage.out);
   const auto file = exchange::read_surface(stage.in);
   const auto surfaces = surfaces_of(file, stage.in.string());
   const auto force = vectors_of(file, "total_force", surfaces, stage.in.string());
@@ -19,6 +20,7 @@ void run(const SpreadStage& stage) {
 }
 
 void run(const InterpolateStage& stage) {
+  require_place(stage.out);
   const auto file = exchange::read_surface(stage.in);
   const auto surfaces = surfaces_of(file, stage.in.string());
   const auto grid = grid_vectors_of(exchange::read_grid(stage.grid), "velocity", stage.the_case.flow.box,

@@ -36,7 +36,17 @@ void take_steps(fluid::Fluid& fluid, const FluidStage& stage) {
   for (std::int64_t k = 0; k < stage.n_steps; ++k) advance_fluid(fluid, force);
 }
 
+void check_places(const FluidStage& stage) {
+  require_place(stage.out);
+  if (stage.fields.empty()) return;
+  require_place(stage.fields);
+  if (std::filesystem::weakly_canonical(stage.fields) == std::filesystem::weakly_canonical(stage.out)) {
+    throw InputError("--fields and --out name one file, " + stage.out.string() + "; give two names");
+  }
+}
+
 void run(const FluidStage& stage) {
+  check_places(stage);
   const auto numbers = flow_parameters(stage.the_case);
   const auto fluid = make_fluid(stage.the_case, numbers);
   if (!stage.state.empty()) restore(*fluid, stage.state);

@@ -55,6 +55,7 @@ void write_start(const MembraneStage& stage, const std::vector<CapsuleMembrane>&
 }
 
 void run(const MembraneStage& stage) {
+  require_place(stage.out);
   const auto numbers = parameters(stage.the_case);
   auto membranes = make_membranes(stage.the_case, numbers, reference_meshes(stage.the_case));
   if (!stage.state.empty()) restore(membranes, stage.state);

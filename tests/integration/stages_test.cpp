@@ -131,6 +131,10 @@ TEST_F(Stages, NothingIsWrittenForBadInput) {
                      "flow.box=[26,18,22]"},
                     2),
               HasSubstr("26 x 18 x 20 nodes, the case has 26 x 18 x 22"));
+  EXPECT_THAT(stage({"fluid", "--out", path("no/folder.vti")}, 2), HasSubstr("there is no folder"));
+  EXPECT_THAT(stage({"fluid", "--out", path("none"), "--fields", path("./none")}, 2),
+              HasSubstr("name one file"));
+  EXPECT_THAT(stage({"membrane", "--out", directory_.path().string()}, 2), HasSubstr("is a folder"));
   EXPECT_FALSE(std::filesystem::exists(path("none")));
 }
 
