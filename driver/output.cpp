@@ -29,13 +29,6 @@ std::int64_t step_of(const std::string& file, const std::filesystem::path& serie
   return step;
 }
 
-/// Adds an entry to a series file, which keeps what it had.
-void add_to_series(const std::filesystem::path& series, double time, const std::string& file) {
-  auto entries = exchange::read_series(series);
-  entries.push_back({time, file});
-  exchange::write_series(series, entries);
-}
-
 /// Keeps the entries of a series that an uninterrupted run would have by `step`, then removes every other
 /// file of its folder: those of the entries cut, and what a killed process left there.
 void cut_series(const std::filesystem::path& series, std::int64_t step, const Schedule& schedule) {
@@ -96,14 +89,14 @@ void Output::write_membrane(const System& system) {
   exchange::write_surface(
       directory_ / file, membrane_file(system.membranes, system.node_velocity, system.node_force, system.step,
                                        system.shear_time()));
-  add_to_series(directory_ / "membrane.pvd", system.shear_time(), file);
+  exchange::append_to_series(directory_ / "membrane.pvd", {system.shear_time(), file});
 }
 
 void Output::write_fluid(const System& system) {
   const auto file = numbered("fluid", system.step, "vti");
   exchange::write_grid(directory_ / file,
                        flow_file(*system.fluid, case_.output.fluid_box, system.step, system.shear_time()));
-  add_to_series(directory_ / "fluid.pvd", system.shear_time(), file);
+  exchange::append_to_series(directory_ / "fluid.pvd", {system.shear_time(), file});
 }
 
 }  // namespace tanktread::driver

@@ -14,10 +14,7 @@ System make_system(const Case& the_case, const Parameters& parameters,
   system.fluid = make_fluid(the_case, parameters);
   system.coupler = make_coupler(the_case);
   system.membranes = make_membranes(the_case, parameters, meshes);
-  for (const auto& mesh : meshes) {
-    system.node_velocity.emplace_back(Eigen::Matrix3Xd::Zero(3, mesh.points.cols()));
-    system.node_force.emplace_back(Eigen::Matrix3Xd::Zero(3, mesh.points.cols()));
-  }
+  system.node_velocity = system.node_force = zero_like(positions_of(system.membranes));
   try {
     build_stencils(*system.coupler, positions_of(system.membranes));
   } catch (const coupler::StencilError& error) {

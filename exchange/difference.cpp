@@ -51,21 +51,16 @@ ArrayDifference array_difference(const std::string& kind, const Array& a, const 
                                   shape(b.components, b.values.size())));
 }
 
-const Array* find(const std::vector<Array>& arrays, const std::string& name) {
-  const auto found =
-      std::find_if(arrays.begin(), arrays.end(), [&](const Array& array) { return array.name == name; });
-  return found == arrays.end() ? nullptr : &*found;
-}
-
 void add(std::vector<ArrayDifference>& all, const std::string& kind, const std::vector<Array>& a,
          const std::vector<Array>& b) {
   for (const auto& array : a) {
-    const Array* other = find(b, array.name);
+    const Array* other = find_optional_array(b, array.name);
     all.push_back(other != nullptr ? array_difference(kind, array, *other)
                                    : not_compared(kind, array.name, "only in the first"));
   }
   for (const auto& array : b) {
-    if (find(a, array.name) == nullptr) all.push_back(not_compared(kind, array.name, "only in the second"));
+    if (find_optional_array(a, array.name) == nullptr)
+      all.push_back(not_compared(kind, array.name, "only in the second"));
   }
 }
 

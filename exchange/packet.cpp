@@ -1,13 +1,18 @@
 #include "exchange/packet.hpp"
 
-#include <stdexcept>
+#include <algorithm>
 
 namespace tanktread::exchange {
 
+const Array* find_optional_array(const std::vector<Array>& arrays, const std::string& name) {
+  const auto found = std::ranges::find(arrays, name, &Array::name);
+  return found == arrays.end() ? nullptr : &*found;
+}
+
 const Array& find_array(const std::vector<Array>& arrays, const std::string& name, const std::string& where) {
+  if (const auto* found = find_optional_array(arrays, name)) return *found;
   std::string present;
   for (const auto& array : arrays) {
-    if (array.name == name) return array;
     present += (present.empty() ? "" : ", ") + array.name;
   }
   throw FileError(where + ": array '" + name +

@@ -40,6 +40,9 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The array of that name; null: there is none.
+const Array* find_optional_array(const std::vector<Array>& arrays, const std::string& name);
+
 /// The array of that name. @throws FileError naming `where` and the arrays that are there
 const Array& find_array(const std::vector<Array>& arrays, const std::string& name, const std::string& where);
 

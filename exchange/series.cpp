@@ -131,4 +131,10 @@ std::vector<SeriesEntry> read_series(const path& file) {
   return parse(stream, file);
 }
 
+void append_to_series(const path& file, const SeriesEntry& entry) {
+  auto entries = read_series(file);
+  entries.push_back(entry);
+  write_series(file, entries);
+}
+
 }  // namespace tanktread::exchange

@@ -48,6 +48,8 @@ struct SeriesEntry {
 /// @throws FileError, also for a time that is not finite and a name that XML cannot hold (control characters,
 /// broken UTF-8)
 void write_series(const std::filesystem::path& file, const std::vector<SeriesEntry>& entries);
+/// Adds an entry to a .pvd, which keeps what it has. @throws FileError
+void append_to_series(const std::filesystem::path& file, const SeriesEntry& entry);
 /// The entries in the order of the file. @throws FileError
 std::vector<SeriesEntry> read_series(const std::filesystem::path& file);
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <climits>
 #include <csignal>
 #include <cstring>
 #include <system_error>
@@ -134,16 +135,13 @@ std::string ChildProcess::ask(const std::string& line) {
                     "packets go; messages go to its standard error",
                     shown(received_)));
   }
-  send(line);
+  send(line, in_time);
   while (received_.find('\n') == std::string::npos) {
     if (received_.size() > longest_line) {
       give_up(fmt::format("it wrote '{}' and no end of a line; it must answer with the name of its packet",
                           shown(received_)));
     }
-    if (!is_readable(in_time)) {
-      give_up(fmt::format("it gave no answer within {:g} s (run.command_time_limit) and was killed",
-                          time_limit_.count()));
-    }
+    if (!is_readable(in_time)) give_up_waiting();
     receive();
   }
   return taken_line();
@@ -171,24 +169,36 @@ ChildProcess::Clock::time_point ChildProcess::deadline() const {
   return Clock::now() + duration_cast<Clock::duration>(std::min(time_limit_, longest_wait));
 }
 
-void ChildProcess::send(const std::string& line) {
+void ChildProcess::send(const std::string& line, Clock::time_point in_time) {
   const BrokenPipeIsAnError guard;
   const auto text = line + '\n';
   for (std::size_t done = 0; done < text.size();) {
-    const auto written = ::write(input_, text.data() + done, text.size() - done);
+    if (!is_ready(input_, POLLOUT, in_time)) give_up_waiting();
+    // A pipe that is ready takes PIPE_BUF bytes without waiting, and no more is sure.
+    const auto written =
+        ::write(input_, text.data() + done, std::min<std::size_t>(text.size() - done, PIPE_BUF));
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) report_end();
     done += static_cast<std::size_t>(written);
   }
 }
 
+void ChildProcess::give_up_waiting() {
+  give_up(fmt::format("it gave no answer within {:g} s (run.command_time_limit) and was killed",
+                      time_limit_.count()));
+}
+
 bool ChildProcess::is_readable(Clock::time_point deadline) const {
+  return is_ready(output_, POLLIN, deadline);
+}
+
+bool ChildProcess::is_ready(int descriptor, short event, Clock::time_point deadline) {
   for (;;) {
     const auto left = std::max(deadline - Clock::now(), Clock::duration::zero());
     const auto patience =
         std::min(std::chrono::ceil<milliseconds>(left), milliseconds(std::chrono::hours(1)));
-    pollfd output{output_, POLLIN, 0};
-    const int n_ready = ::poll(&output, 1, static_cast<int>(patience.count()));
+    pollfd pipe{descriptor, event, 0};
+    const int n_ready = ::poll(&pipe, 1, static_cast<int>(patience.count()));
     if (n_ready > 0) return true;
     // A signal that wants the run to end waits until the step is done.
     if (n_ready < 0 && errno != EINTR) fail(errno, "poll");

@@ -40,16 +40,19 @@ class ChildProcess {
   using Clock = std::chrono::steady_clock;
 
   Clock::time_point deadline() const;  ///< of what begins now
-  void send(const std::string& line);
+  void send(const std::string& line, Clock::time_point in_time);
   std::string taken_line();
   /// Waits until there is something to read. @return false at the deadline
   bool is_readable(Clock::time_point deadline) const;
+  /// Waits until an end of a pipe can be read or written (POLLIN, POLLOUT). @return false at the deadline
+  static bool is_ready(int descriptor, short event, Clock::time_point deadline);
   /// Appends what can be read to `received_`. @throws NoAnswer if that is the end
   void receive();
   /// Waits for its end. @return false at the deadline
   bool has_ended(Clock::time_point deadline);
   void kill();
   [[noreturn]] void give_up(const std::string& why);
+  [[noreturn]] void give_up_waiting();
   [[noreturn]] void report_end();
 
   std::chrono::duration<double> time_limit_;

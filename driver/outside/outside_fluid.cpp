@@ -12,7 +12,6 @@ namespace tanktread::driver {
 namespace {
 
 using exchange::Array;
-using exchange::FileError;
 using exchange::GridPacket;
 
 constexpr const char* force_name = "force";
@@ -108,7 +107,7 @@ GridPacket OutsideFluid::input() const {
   packet.nodes = {shape_.nx, shape_.ny, shape_.nz};
   packet.point_data = {{force_name, 3, force_}};
   packet.point_data.insert(packet.point_data.end(), arrays_.begin(), arrays_.end());
-  packet.field_data = {{"step", 1, {static_cast<double>(step_)}}, {"schema_version", 1, {schema_version}}};
+  packet.field_data = packet_header(step_);
   packet.field_data.insert(packet.field_data.end(), constants_.begin(), constants_.end());
   return packet;
 }

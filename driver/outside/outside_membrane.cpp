@@ -78,9 +78,8 @@ SurfacePacket OutsideMembrane::input(const membrane::Membrane& membrane, const E
                        {"reference_position", 3, to_values(membrane.reference().points)}};
   packet.point_data.insert(packet.point_data.end(), state_.point_data.begin(), state_.point_data.end());
   packet.cell_data = state_.cell_data;
-  packet.field_data = {{"step", 1, {static_cast<double>(step)}},
-                       {"schema_version", 1, {schema_version}},
-                       {"shear_time", 1, {static_cast<double>(step) * shear_rate_}}};
+  packet.field_data = packet_header(step);
+  packet.field_data.push_back({"shear_time", 1, {static_cast<double>(step) * shear_rate_}});
   packet.field_data.insert(packet.field_data.end(), constants_.begin(), constants_.end());
   return packet;
 }

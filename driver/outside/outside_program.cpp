@@ -88,7 +88,8 @@ const exchange::Array& reply_array(const std::vector<exchange::Array>& arrays, c
 
 void check_reply_step(const std::vector<exchange::Array>& field_data, std::int64_t step,
                       const std::string& file) {
-  if (!has_array(field_data, "step") || step_of(field_data, file) == step) return;
+  if (exchange::find_optional_array(field_data, "step") == nullptr || step_of(field_data, file) == step)
+    return;
   throw FileError(fmt::format("{}: of step {}; expected one of step {}, or without `step`", file,
                               step_of(field_data, file), step));
 }

@@ -7,42 +7,41 @@
 namespace tanktread::driver {
 namespace {
 
-void add_spread_command(CLI::App& coupler, int& exit_code) {
-  struct Arguments {
-    CaseOptions the_case;
-    SpreadStage stage;
-  };
-  auto* command = coupler.add_subcommand("spread", "Nodal forces to the grid");
-  auto arguments = std::make_shared<Arguments>();
-  arguments->the_case.add_to(*command);
-  command->add_option("--in", arguments->stage.in, "Surface file with the array `total_force`")->required();
-  command->add_option("--out", arguments->stage.out, "Grid file to write (.vti), with the array `force`")
-      ->required();
-  command->callback([=, &exit_code] {
+template <class Stage>
+struct Arguments {
+  CaseOptions the_case;
+  Stage stage;
+};
+
+template <class Stage>
+void run_when_called(CLI::App& command, const std::shared_ptr<Arguments<Stage>>& arguments, int& exit_code) {
+  command.callback([=, &exit_code] {
     arguments->stage.the_case = arguments->the_case.read();
     run_stage(arguments->stage);
     exit_code = 0;
   });
 }
 
+void add_spread_command(CLI::App& coupler, int& exit_code) {
+  auto* command = coupler.add_subcommand("spread", "Nodal forces to the grid");
+  auto arguments = std::make_shared<Arguments<SpreadStage>>();
+  arguments->the_case.add_to(*command);
+  command->add_option("--in", arguments->stage.in, "Surface file with the array `total_force`")->required();
+  command->add_option("--out", arguments->stage.out, "Grid file to write (.vti), with the array `force`")
+      ->required();
+  run_when_called(*command, arguments, exit_code);
+}
+
 void add_interpolate_command(CLI::App& coupler, int& exit_code) {
-  struct Arguments {
-    CaseOptions the_case;
-    InterpolateStage stage;
-  };
   auto* command = coupler.add_subcommand("interpolate", "Grid velocities to the nodes");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<Arguments<InterpolateStage>>();
   arguments->the_case.add_to(*command);
   command->add_option("--in", arguments->stage.in, "Surface file with the nodes")->required();
   command->add_option("--grid", arguments->stage.grid, "Grid file with the array `velocity`")->required();
   command
       ->add_option("--out", arguments->stage.out, "Surface file to write (.vtu), with the array `velocity`")
       ->required();
-  command->callback([=, &exit_code] {
-    arguments->stage.the_case = arguments->the_case.read();
-    run_stage(arguments->stage);
-    exit_code = 0;
-  });
+  run_when_called(*command, arguments, exit_code);
 }
 
 }  // namespace

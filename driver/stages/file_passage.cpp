@@ -66,10 +66,8 @@ void Recorder::record(const System& system, Packet packet, const Vectors& vector
   const auto file = packet_path(directory_, packet, system.step + 1);
   write_packet(file, system, packet, vectors);
   const auto series = directory_ / (name_of(packet) + ".pvd");
-  auto entries = exchange::read_series(series);
-  entries.push_back({static_cast<double>(system.step + 1) * system.shear_rate,
-                     file.lexically_relative(directory_).string()});
-  exchange::write_series(series, entries);
+  exchange::append_to_series(series, {static_cast<double>(system.step + 1) * system.shear_rate,
+                                      file.lexically_relative(directory_).string()});
 }
 
 void Recorder::pass(const System& system, Packet packet, GridVectors& vectors) {

@@ -37,9 +37,8 @@ exchange::GridPacket flow_file(const fluid::Fluid& fluid, const std::optional<Ra
   file.point_data = {{"density", 1, cut(density, 1, shape, range)},
                      {"velocity", 3, cut(velocity, 3, shape, range)},
                      {"force", 3, cut(fluid.force(), 3, shape, range)}};
-  file.field_data = {{"step", 1, {static_cast<double>(step)}},
-                     {"schema_version", 1, {schema_version}},
-                     {"shear_time", 1, {shear_time}}};
+  file.field_data = packet_header(step);
+  file.field_data.push_back({"shear_time", 1, {shear_time}});
   return file;
 }
 
@@ -48,7 +47,7 @@ exchange::GridPacket state_file(fluid::State state, const fluid::GridShape& shap
   file.nodes = {shape.nx, shape.ny, shape.nz};
   for (auto& array : state.arrays)
     file.point_data.push_back({array.name, array.components, std::move(array.values)});
-  file.field_data = {{"step", 1, {static_cast<double>(state.step)}}, {"schema_version", 1, {schema_version}}};
+  file.field_data = packet_header(state.step);
   return file;
 }
 

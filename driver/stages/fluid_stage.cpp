@@ -15,11 +15,7 @@ namespace {
 void restore(fluid::Fluid& fluid, const std::filesystem::path& file) {
   auto content = exchange::read_grid(file);
   const auto shape = fluid.shape();
-  if (content.nodes != Box{shape.nx, shape.ny, shape.nz}) {
-    throw InputError(fmt::format("{}: {} x {} x {} nodes, the case has {} x {} x {}", file.string(),
-                                 content.nodes[0], content.nodes[1], content.nodes[2], shape.nx, shape.ny,
-                                 shape.nz));
-  }
+  check_grid(content, {shape.nx, shape.ny, shape.nz}, file.string());
   try {
     fluid.restore(state_of(std::move(content), file.string()));
   } catch (const std::invalid_argument& error) {

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "driver/components.hpp"
 #include "driver/stages/membrane_files.hpp"
 #include "driver/stages/packet_files.hpp"
@@ -31,11 +29,10 @@ Input read_input(const MembraneStage& stage, const std::vector<CapsuleMembrane>&
   check_surfaces(surfaces, membranes, name);
   Input input;
   input.step = step_of(file.field_data, name);
-  if (stage.move || has_array(file.point_data, "velocity")) {
+  if (stage.move || exchange::find_optional_array(file.point_data, "velocity") != nullptr) {
     input.velocity = vectors_of(file, "velocity", surfaces, name);
   } else {
-    for (const auto& positions : surfaces.positions)
-      input.velocity.emplace_back(Eigen::Matrix3Xd::Zero(3, positions.cols()));
+    input.velocity = zero_like(surfaces.positions);
   }
   input.positions = std::move(surfaces.positions);
   if (stage.move) {
@@ -47,8 +44,7 @@ Input read_input(const MembraneStage& stage, const std::vector<CapsuleMembrane>&
 
 /// The start of the case: at rest, without forces, and without a step of the membrane.
 void write_start(const MembraneStage& stage, const std::vector<CapsuleMembrane>& membranes) {
-  NodeVectors zero;
-  for (const auto& membrane : membranes) zero.emplace_back(Eigen::Matrix3Xd::Zero(3, membrane.n_nodes()));
+  const auto zero = zero_like(positions_of(membranes));
   auto file = membrane_file(membranes, zero, zero, 0, 0.0);
   add_state(file, membranes);
   exchange::write_surface(stage.out, file);

@@ -91,10 +91,10 @@ void follow(const Motion& motion, std::vector<CapsuleMembrane>& membranes, const
             const std::filesystem::path& out) {
   std::vector<exchange::SeriesEntry> entries;
   auto positions = motion.positions(0);
-  NodeVectors velocity, force;  // of the first file: no velocity is known, and the forces are elastic
+  auto velocity = zero_like(positions);  // of the first file: none is known, and the forces are elastic
+  NodeVectors force;
   for (std::size_t k = 0; k < membranes.size(); ++k) {
     membranes[k].set_positions(positions[k]);
-    velocity.emplace_back(Eigen::Matrix3Xd::Zero(3, membranes[k].n_nodes()));
     force.push_back(membranes[k].elastic_forces());
   }
   std::filesystem::create_directories(out / "membrane");
@@ -149,7 +149,7 @@ void run(const MotionStage& stage) {
 }  // namespace
 
 void run_stage(const MotionStage& stage) {
-  with_stage_errors<LongMove, membrane::InvertedElement>([&] { run(stage); });
+  with_stage_errors<membrane::InvertedElement>([&] { run(stage); });
 }
 
 }  // namespace tanktread::driver

@@ -15,11 +15,6 @@ namespace {
 using exchange::Array;
 using exchange::FileError;
 
-const Array* optional_array(const std::vector<Array>& arrays, const std::string& name) {
-  const auto found = std::ranges::find(arrays, name, &Array::name);
-  return found == arrays.end() ? nullptr : &*found;
-}
-
 const Array& vector_array(const std::vector<Array>& arrays, const std::string& array,
                           const std::string& name) {
   const auto& found = exchange::find_array(arrays, array, name);
@@ -32,16 +27,12 @@ const Array& vector_array(const std::vector<Array>& arrays, const std::string& a
 
 const Array* optional_scalars(const std::vector<Array>& arrays, const std::string& array,
                               const std::string& name) {
-  const auto* found = optional_array(arrays, array);
+  const auto* found = exchange::find_optional_array(arrays, array);
   if (found != nullptr && found->components != 1) {
     throw FileError(
         fmt::format("{}: the array '{}' has {} components; 1 is needed", name, array, found->components));
   }
   return found;
-}
-
-std::vector<Array> header(std::int64_t step) {
-  return {{"step", 1, {static_cast<double>(step)}}, {"schema_version", 1, {schema_version}}};
 }
 
 /// The number of the capsule of each triangle.
@@ -95,7 +86,7 @@ exchange::SurfacePacket surface_file(const Surfaces& surfaces, std::int64_t step
                           static_cast<double>(k));
   }
   file.cell_data = {std::move(capsule)};
-  file.field_data = header(step);
+  file.field_data = packet_header(step);
   return file;
 }
 
@@ -165,7 +156,7 @@ exchange::GridPacket grid_file(const GridVectors& vectors, const std::string& ar
   exchange::GridPacket file;
   file.nodes = box;
   file.point_data = {std::move(values), std::move(touched)};
-  file.field_data = header(step);
+  file.field_data = packet_header(step);
   return file;
 }
 
@@ -203,12 +194,12 @@ GridVectors grid_vectors_of(const exchange::GridPacket& file, const std::string&
   return vectors;
 }
 
-bool has_array(const std::vector<Array>& arrays, const std::string& array) {
-  return optional_array(arrays, array) != nullptr;
+std::vector<Array> packet_header(std::int64_t step) {
+  return {{"step", 1, {static_cast<double>(step)}}, {"schema_version", 1, {schema_version}}};
 }
 
 std::int64_t step_of(const std::vector<Array>& field_data, const std::string& name) {
-  const auto* array = optional_array(field_data, "step");
+  const auto* array = exchange::find_optional_array(field_data, "step");
   if (array == nullptr) return 0;
   if (array->values.size() != 1 || array->values[0] < 0 || array->values[0] > 9e15 ||
       array->values[0] != std::floor(array->values[0])) {
@@ -218,7 +209,7 @@ std::int64_t step_of(const std::vector<Array>& field_data, const std::string& na
 }
 
 void check_schema_version(const std::vector<Array>& field_data, const std::string& name) {
-  const auto* array = optional_array(field_data, "schema_version");
+  const auto* array = exchange::find_optional_array(field_data, "schema_version");
   if (array == nullptr) return;
   if (array->values.size() == 1 && array->values[0] >= 1 && array->values[0] <= schema_version) return;
   throw FileError(fmt::format(

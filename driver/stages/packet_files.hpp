@@ -55,7 +55,8 @@ void check_grid(const exchange::GridPacket& file, const Box& box, const std::str
 GridVectors grid_vectors_of(const exchange::GridPacket& file, const std::string& array, const Box& box,
                             const std::string& name);
 
-bool has_array(const std::vector<exchange::Array>& arrays, const std::string& array);
+/// Field data step and schema_version, which every packet begins with.
+std::vector<exchange::Array> packet_header(std::int64_t step);
 
 /// The step of a file; 0 without the array `step`. @throws exchange::FileError if it is not a whole number
 std::int64_t step_of(const std::vector<exchange::Array>& field_data, const std::string& name);

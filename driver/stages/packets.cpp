@@ -37,4 +37,10 @@ bool is_on_grid(Packet packet) {
   return packet == Packet::grid_velocity || packet == Packet::grid_force;
 }
 
+NodeVectors zero_like(const NodeVectors& vectors) {
+  NodeVectors zero;
+  for (const auto& matrix : vectors) zero.emplace_back(Eigen::Matrix3Xd::Zero(3, matrix.cols()));
+  return zero;
+}
+
 }  // namespace tanktread::driver

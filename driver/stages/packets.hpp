@@ -17,6 +17,9 @@ struct GridVectors {
 /// A vector on each node of each capsule: a 3 x n matrix a capsule.
 using NodeVectors = std::vector<Eigen::Matrix3Xd>;
 
+/// Zero on each node of capsules like those given.
+NodeVectors zero_like(const NodeVectors& vectors);
+
 /// The surfaces that vectors are on.
 struct Surfaces {
   NodeVectors positions;                    ///< grid steps

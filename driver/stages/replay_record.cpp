@@ -15,12 +15,6 @@ using exchange::Array;
 using exchange::GridPacket;
 using exchange::SurfacePacket;
 
-/// The point-data array that a packet's file is compared by; "" for the points themselves.
-const Array* compared_array(const std::vector<Array>& arrays, const std::string& name) {
-  const auto found = std::ranges::find(arrays, name, &Array::name);
-  return found == arrays.end() ? nullptr : &*found;
-}
-
 /// Positions have no array of their own: as one, for the field of the difference.
 Array points_array(const SurfacePacket& file) {
   return {"position", 3, file.points};
@@ -45,7 +39,9 @@ void write(const std::filesystem::path& file, const GridPacket& content) {
 
 /// Leaves of the recorded end only what the component gave.
 void keep_common(std::vector<Array>& recorded, const std::vector<Array>& given) {
-  std::erase_if(recorded, [&](const Array& array) { return compared_array(given, array.name) == nullptr; });
+  std::erase_if(recorded, [&](const Array& array) {
+    return exchange::find_optional_array(given, array.name) == nullptr;
+  });
 }
 
 }  // namespace
@@ -112,10 +108,8 @@ void ReplayRecord::write_field(Packet packet, std::int64_t step, File recorded, 
   std::filesystem::create_directories(file.parent_path());
   write(file, recorded);
   const auto series = out_ / (name_of(packet) + ".pvd");
-  auto entries =
-      std::filesystem::exists(series) ? exchange::read_series(series) : std::vector<exchange::SeriesEntry>();
-  entries.push_back({static_cast<double>(step), file.lexically_relative(out_).string()});
-  exchange::write_series(series, entries);
+  if (!std::filesystem::exists(series)) exchange::write_series(series, {});
+  exchange::append_to_series(series, {static_cast<double>(step), file.lexically_relative(out_).string()});
 }
 
 void ReplayRecord::compare(Packet packet, std::int64_t step, const NodeVectors& given) {

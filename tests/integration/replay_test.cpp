@@ -1,5 +1,6 @@
 // Steps recorded, and a component at work again on them.
 #include <cmath>
+#include <csignal>
 
 #include "exchange/vtk_files.hpp"
 #include "tests/integration/stages_fixture.hpp"
@@ -98,6 +99,16 @@ TEST_F(Replay, ARecordWithoutAnEndIsReplayedUpToItsLastWholeStep) {
   std::filesystem::remove(path("record/grid_force/grid_force_0000000020.vti"));
   EXPECT_THAT(call({"replay", path("record"), "--only", "membrane"}), HasSubstr("identical: 14 steps"));
   EXPECT_THAT(call({"replay", path("record"), "--only", "fluid"}), HasSubstr("identical: 14 steps"));
+}
+
+TEST_F(Replay, ARunStoppedByASignalLeavesAWholeRecord) {
+  const auto some = directory_.path() / "record/grid_force/grid_force_0000000004.vti";
+  const auto ended = run_and_signal(
+      {"run", path("case.toml"), "--output", path("out"), "--shear-time", "20", "--record", path("record")},
+      SIGINT, [&] { return std::filesystem::exists(some); });
+  EXPECT_EQ(ended.exit_code, 130) << ended.output;
+  EXPECT_TRUE(std::filesystem::exists(path("record/end/membrane.vtu")));
+  EXPECT_THAT(call({"replay", path("record"), "--only", "membrane"}), HasSubstr("identical"));
 }
 
 TEST_F(Replay, AResumedRunRecordsFromWhereItBegins) {

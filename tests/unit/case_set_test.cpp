@@ -97,6 +97,12 @@ TEST(CaseSet, AnotherLawOverAnEcho) {
       HasSubstr("membrane.area_ratio = 3.0: contradicts elastic_law"));
 }
 
+TEST(CaseSet, AKeyOfAnotherTableForgivesNothing) {
+  auto file = least_case;
+  file.insert(file.find("[[capsule]]"), "collision = \"bgk\"\nmagic_parameter = 0.1875\n");
+  EXPECT_THAT(refusal(file, {"run.threads=1"}), HasSubstr("contradicts collision = \"bgk\""));
+}
+
 TEST(CaseSet, WhatEveryCapsuleOverridesIsRefused) {
   EXPECT_THAT(refusal(least_case, {"capsule.0.membrane.area_ratio=2", "membrane.area_ratio=3"}),
               HasSubstr("--set membrane.area_ratio=3: has no effect, for every capsule has its own; set "

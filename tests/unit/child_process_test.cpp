@@ -53,6 +53,14 @@ TEST(ChildProcess, ALineMayComeInPiecesAndWithACarriageReturn) {
   EXPECT_EQ(complaint("read x; printf a; sleep 0.1; printf 'b\\r\\n'; read x"), "answered ab");
 }
 
+TEST(ChildProcess, AProgramThatDoesNotReadIsGivenUpInTime) {
+  // A megabyte, far more than a pipe holds.
+  ChildProcess process(shell("sleep 60"), 0.3);
+  const auto start = Clock::now();
+  EXPECT_THROW(process.ask(std::string(1 << 20, 'x')), NoAnswer);
+  EXPECT_LT(seconds_since(start), 30);
+}
+
 TEST(ChildProcess, SaysHowAProgramEnded) {
   EXPECT_EQ(complaint("exit 0"), "it ended with exit code 0 and gave no answer");
   EXPECT_EQ(complaint("read x; exit 7"), "it ended with exit code 7 and gave no answer");
