@@ -12,6 +12,11 @@ using ::testing::HasSubstr;
 TEST_F(Stages, StagedEqualsFused) {
   record();
   stage({"membrane", "--out", path("membrane.vtu")});
+  const auto start = exchange::read_surface(path("membrane.vtu"));
+  for (const char* array : {"velocity", "total_force"}) {
+    EXPECT_THAT(exchange::find_array(start.point_data, array, "the start").values, ::testing::Each(0.0))
+        << array;
+  }
   stage({"fluid", "--steps", "0", "--out", path("fluid.vti"), "--fields", path("flow.vti")});
   for (int step = 0; step < 20; ++step) {
     stage({"coupler", "interpolate", "--in", path("membrane.vtu"), "--grid", path("flow.vti"), "--out",
