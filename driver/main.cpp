@@ -43,7 +43,8 @@ int main(int argc, char** argv) {
       "tanktread: capsules with elastic and viscous membranes in flow, by immersed boundary and lattice "
       "Boltzmann",
       "tanktread");
-  app.set_version_flag("--version", std::string("tanktread ") + tanktread::driver::version);
+  using tanktread::driver::version, tanktread::driver::commit;
+  app.set_version_flag("--version", std::string("tanktread ") + version + " (commit " + commit + ")");
   app.require_subcommand(1);
   int exit_code = 0;
   tanktread::driver::add_run_command(app, exit_code);

@@ -7,6 +7,7 @@
 #include "driver/checkpoint.hpp"
 #include "driver/output.hpp"
 #include "driver/output_directory.hpp"
+#include "driver/parameters_file.hpp"
 #include "driver/progress.hpp"
 #include "driver/signals.hpp"
 #include "driver/stages/file_passage.hpp"
@@ -16,8 +17,10 @@
 namespace tanktread::driver {
 namespace {
 
+/// The case and what follows from it.
 void write_echo(const Plan& plan, const std::filesystem::path& directory) {
   exchange::write_text(directory / "echo.toml", to_toml(plan.the_case));
+  exchange::write_text(directory / "parameters.toml", parameters_toml(plan.parameters));
 }
 
 /// The last lines of a run: where it ended, how fast it was, which component took how much.

@@ -1,5 +1,7 @@
 # Tests of driver; included by tests/CMakeLists.txt when the component is built.
-tanktread_test(run_test SOURCES integration/run_test.cpp integration/command_line_test.cpp integration/program.cpp LIBRARIES)
+find_package(tomlplusplus REQUIRED)
+tanktread_test(run_test SOURCES integration/run_test.cpp integration/broken_run_test.cpp integration/program_test.cpp
+  integration/command_line_test.cpp integration/program.cpp LIBRARIES)
 target_compile_definitions(run_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
 add_dependencies(run_test tanktread)
 tanktread_test(diff_test SOURCES integration/diff_test.cpp integration/diff_directory_test.cpp integration/program.cpp
@@ -9,8 +11,8 @@ add_dependencies(diff_test tanktread)
 tanktread_test(driver_test SOURCES unit/case_schema_test.cpp unit/case_errors_test.cpp
   unit/case_geometry_test.cpp unit/case_set_test.cpp unit/case_round_trip_test.cpp unit/case_warnings_test.cpp
   unit/case_programs_test.cpp unit/child_process_test.cpp
-  unit/units_parameters_test.cpp unit/units_si_test.cpp unit/echo_text_test.cpp
-  integration/step_test.cpp integration/program.cpp LIBRARIES tanktread_driver)
+  unit/units_parameters_test.cpp unit/units_si_test.cpp unit/parameters_file_test.cpp unit/echo_text_test.cpp
+  integration/step_test.cpp integration/program.cpp LIBRARIES tanktread_driver tomlplusplus::tomlplusplus)
 target_compile_definitions(driver_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
 tanktread_test(study_test SOURCES verification/study_maxwell_test.cpp verification/study_noise_test.cpp
   verification/study_twist_test.cpp LIBRARIES tanktread_driver)

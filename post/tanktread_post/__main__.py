@@ -122,8 +122,7 @@ def _snapshots(arguments):
 def _measure(arguments):
     run = arguments.run or arguments.output.resolve().name
     log = arguments.log or arguments.output.with_name(arguments.output.name + ".log")
-    commit = measured.commit_of(arguments.case)
-    return _said([measured.add(arguments.case, arguments.output, run, arguments.at, arguments.made_by, commit, log)])
+    return _said([measured.add(arguments.case, arguments.output, run, arguments.at, arguments.made_by, log)])
 
 
 def _convert_surface(arguments):

@@ -13,7 +13,7 @@ import numpy
 from .compare import print_rows, table_row
 from .observables import InputError, Observables
 from .reference import look_up, read_comparison, read_table
-from .run_folder import breakdown, is_finished, is_run, read_echo
+from .run_folder import breakdown, is_finished, is_run, read_echo, read_parameters
 
 
 @dataclasses.dataclass(frozen=True)
@@ -38,29 +38,20 @@ def first_peak(deformation):
     return math.nan
 
 
-def spring(echo):
-    """k_s' = kappa g mu_s/2 in lattice units, g = 2 U0/L, mu_s = Bq_s nu a."""
-    flow, capsule = echo["flow"], echo["capsule"][0]
-    viscous, height = capsule["membrane"]["viscous"], flow["box"]["xyz".index(flow["wall_axis"])]
-    if "wall_speed" not in flow or "spring_stiffness" not in viscous:
-        raise InputError("flow.wall_speed and membrane.viscous.spring_stiffness are needed")
-    viscosity = viscous["boussinesq_shear"] * (flow["relaxation_time"] - 0.5) / 3 * capsule["radius"]
-    return viscous["spring_stiffness"] * flow["wall_speed"] / height * viscosity
-
-
 def read_run(directory, log):
     """The reading of one run that is finished or broken down; None of another."""
     broken = breakdown(log) is not None
     if not broken and not is_finished(directory):
         return None
-    echo = read_echo(directory)
-    viscous = echo["capsule"][0]["membrane"]["viscous"]
+    viscous = read_echo(directory)["capsule"][0]["membrane"]["viscous"]
+    if "spring_stiffness" not in viscous:
+        raise InputError(f"{directory}: membrane.viscous.spring_stiffness is not given, but the peak is read against it")
     return Reading(
         run=pathlib.Path(directory).name,
         boussinesq_shear=viscous["boussinesq_shear"],
         stiffness=viscous["spring_stiffness"],
         interval=viscous["interval"],
-        interval_times_spring=viscous["interval"] * spring(echo),
+        interval_times_spring=read_parameters(directory)["capsule"][0]["viscous"]["interval_times_shear_spring"],
         broke_down=broken,
         peak=math.nan if broken else first_peak(Observables(directory)["deformation"]),
     )

@@ -1,4 +1,5 @@
-"""Measured results of a case: cases/NAME/measured/results.csv, to which runs are added with command, commit, date.
+"""Measured results of a case: cases/NAME/measured/results.csv, to which runs are added with command, date, and
+the commit of the program that made them.
 
 Each run is one block: a comment line that says how it was made, then its rows. Measuring a run again replaces
 its block.
@@ -9,7 +10,7 @@ import pathlib
 import subprocess
 
 from .observables import InputError, Observables
-from .run_folder import is_finished, read_cost, read_echo
+from .run_folder import is_finished, read_cost, read_echo, read_parameters
 
 QUANTITIES = ("deformation", "inclination_deg", "length", "width", "breadth", "volume_ratio", "area_ratio")
 PARAMETERS = ("elastic_law", "capillary_number", "capillary_modulus", "kernel", "radius", "box", "mesh", "shear_rate_by")
@@ -58,16 +59,10 @@ def rows_of(directory, run, shear_times, log=None):
     return rows
 
 
-def commit_of(repository):
-    """The commit of a checkout, with '+' if tracked files differ from it; 'unknown' outside one."""
-    def git(*arguments):
-        return subprocess.run(["git", "-C", str(repository), *arguments], capture_output=True, text=True)
-
-    head = git("rev-parse", "--short=10", "HEAD")
-    if head.returncode != 0:
-        return "unknown"
-    changed = git("status", "--porcelain", "--untracked-files=no").stdout.strip()
-    return head.stdout.strip() + ("+" if changed else "")
+def program_commit():
+    """The commit that the tanktread in PATH was built from."""
+    said = subprocess.run(["tanktread", "--version"], capture_output=True, text=True, check=True).stdout
+    return said[said.index("(commit ") :].removeprefix("(commit ").rstrip(")\n")
 
 
 def read_blocks(file):
@@ -86,7 +81,7 @@ def read_blocks(file):
     return blocks
 
 
-def add(case, directory, run, shear_times, command, commit, log=None):
+def add(case, directory, run, shear_times, command, log=None):
     """Adds a finished run to measured/results.csv of a case (or replaces it there). Returns the file."""
     if not is_finished(directory):
         raise InputError(f"{directory}: the run is not finished; go on with: tanktread run --resume {directory}")
@@ -94,7 +89,7 @@ def add(case, directory, run, shear_times, command, commit, log=None):
         raise InputError(f"run '{run}', command '{command}': no commas in a run's name, no line breaks in a command")
     file = pathlib.Path(case) / "measured" / "results.csv"
     blocks = read_blocks(file)
-    made = f"# {datetime.date.today().isoformat()}, commit {commit}: {command}"
+    made = f"# {datetime.date.today().isoformat()}, commit {read_parameters(directory)['commit']}: {command}"
     blocks[run] = [made] + [",".join(row[name] for name in COLUMNS) for row in rows_of(directory, run, shear_times, log)]
     file.parent.mkdir(exist_ok=True)
     lines = [",".join(COLUMNS)] + [line for block in blocks.values() for line in block]

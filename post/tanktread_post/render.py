@@ -1,5 +1,6 @@
 """A picture of the capsule in the flow, drawn without a window: the membrane coloured by a field, in the shear plane."""
 
+import os
 import pathlib
 
 import numpy
@@ -18,6 +19,12 @@ from .observables import InputError
 from .run_folder import read_echo
 
 WIDTH, HEIGHT = 1200, 900
+
+
+def _require_display():
+    """VTK needs a display to draw on, a virtual one too, and ends the process without one."""
+    if not os.environ.get("DISPLAY"):
+        raise InputError("drawing needs a display, and there is none; put `xvfb-run -a` before the command")
 
 
 def _read(reader, file):
@@ -78,6 +85,7 @@ def render(output, field="area_ratio", shear_time=None, file=None):
 
     The flow is left out if the run wrote none. `shear_time`: the nearest membrane file is drawn, the last by default.
     """
+    _require_display()
     output = pathlib.Path(output)
     case = read_echo(output)
     axes = [scene.AXES.index(case["flow"][key]) for key in ("flow_axis", "wall_axis")]

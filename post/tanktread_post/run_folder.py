@@ -1,4 +1,4 @@
-"""What a run folder says about its run: the case with every key resolved, whether it is finished, its speed."""
+"""What a run folder says about its run: the case with every key resolved, what follows from it, whether it is finished, its speed."""
 
 import pathlib
 import re
@@ -12,16 +12,26 @@ def _laid_over(shared, own):
     return shared | {key: _laid_over(shared.get(key, {}), value) if isinstance(value, dict) else value for key, value in own.items()}
 
 
-def read_echo(directory):
-    """echo.toml: the case that made this folder, as a dictionary. Each capsule has its whole membrane."""
-    file = pathlib.Path(directory) / "echo.toml"
+def _read_toml(directory, name):
+    """A file of the folder as a dictionary."""
+    file = pathlib.Path(directory) / name
     if not file.is_file():
         raise InputError(f"{file}: there is no such file; is {directory} the output of a run?")
     with open(file, "rb") as stream:
-        echo = tomllib.load(stream)
+        return tomllib.load(stream)
+
+
+def read_echo(directory):
+    """echo.toml: the case that made this folder, as a dictionary. Each capsule has its whole membrane."""
+    echo = _read_toml(directory, "echo.toml")
     for capsule in echo.get("capsule", []):
         capsule["membrane"] = _laid_over(echo.get("membrane", {}), capsule.get("membrane", {}))
     return echo
+
+
+def read_parameters(directory):
+    """parameters.toml: program, commit, and what follows from the case in lattice units, as a dictionary."""
+    return _read_toml(directory, "parameters.toml")
 
 
 def is_run(directory):

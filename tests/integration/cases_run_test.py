@@ -19,7 +19,9 @@ import post_fixture
 with open("calls", "a") as stream:
     stream.write(" ".join(sys.argv[1:]) + "\\n")
 code = int(os.environ.get("FAKE_EXIT", "0"))
-if "--help" in sys.argv:
+if "--version" in sys.argv:
+    print("tanktread 0.1.0 (commit 12ab+)")
+if "--help" in sys.argv or "--version" in sys.argv:
     sys.exit(code)
 if sys.argv[1] == "study":
     pathlib.Path(sys.argv[-1]).write_text("dt,error\\n1,0.4\\n2,0.8\\n")
@@ -177,7 +179,7 @@ class RunBuilt(InFolder):
         code, output, _ = self.run_it("many", "first", "--measure")
         self.assertEqual(code, 0, output)
         text = (self.folder / "cases/many/measured/results.csv").read_text()
-        self.assertIn(": cases/run many first\nfirst,skalak,0.02,", text)
+        self.assertIn(", commit abc: cases/run many first\nfirst,skalak,0.02,", text)
 
     def test_one_run_is_replaced_and_compared(self):
         code, output, calls = self.run_it("one", "--threads", "2")
@@ -198,11 +200,11 @@ class RunBuilt(InFolder):
     def test_tables_are_made_drawn_and_compared(self):
         first = "study maxwell --dt 1 2 --out output/tables/first.csv"
         code, output, calls = self.run_it("tables", "first", "--measure")
-        self.assertEqual((code, calls), (0, [first]), output)
+        self.assertEqual((code, calls), (0, [first, "--version"]), output)
         for word in ("output/tables/first.png", "inside"):
             self.assertIn(word, output)
         text = (self.folder / "cases/tables/measured/first.csv").read_text()
-        self.assertIn(f": tanktread {first}\ndt,error\n", text)
+        self.assertIn(f", commit 12ab+: tanktread {first}\ndt,error\n", text)
         (self.folder / "cases/tables/compare.toml").write_text(COMPARE_TABLE.replace("0.8\n", "0.9\n"))
         code, output, calls = self.run_it("tables")
         self.assertEqual((code, calls), (1, [first, "study maxwell --out output/tables/second.csv"]), output)

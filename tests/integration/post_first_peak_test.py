@@ -27,8 +27,8 @@ def write_peak(folder, stiffness, peak, number=10.0, interval=1):
     """A finished run whose D rises to a peak, falls, and rises to a higher one later."""
     viscous = {"scheme": "fd", "boussinesq_shear": number, "spring_stiffness": stiffness, "interval": interval}
     write_echo(folder, viscous=viscous, shear_time=3.0)
-    echo = (folder / "echo.toml").read_text()
-    (folder / "echo.toml").write_text(echo.replace("reynolds_number = 0.1", "wall_speed = 8e-3\nrelaxation_time = 1.0"))
+    with open(folder / "parameters.toml", "a") as stream:
+        stream.write(f"viscous.interval_times_shear_spring = {interval * stiffness / 675!r}\n")
     times = numpy.linspace(0, 3, 301)
     values = peak - (times - 1.003) ** 2 / 10 + numpy.where(times > 1.5, (times - 1.5) ** 2, 0)
     write_observables(folder, [{"shear_time": repr(float(t)), "deformation": repr(float(d))} for t, d in zip(times, values)])
@@ -85,11 +85,14 @@ class FirstPeak(InFolder):
         self.assertNotIn("begun", text)
         self.assertEqual(self.compared(0.36)[0], 1)
 
-    def test_the_spring_in_lattice_units(self):
+    def test_the_spring_is_that_of_the_run(self):
         self.written(0.35)
         broken = next(r for r in first_peak.read_runs(self.folder) if r.broke_down)
-        # The fixture: radius 8, box 72, nu = 1/6: mu_s = 10 * 8/6, k' = 900 * 8e-3/72 * mu_s = 4/3, N = 25.
-        self.assertAlmostEqual(broken.interval_times_spring, 25 * 4 / 3, delta=1e-13)
+        self.assertEqual(broken.interval_times_spring, 25 * 900 / 675)
+
+    def test_a_spring_given_otherwise_is_refused(self):
+        write_run(self.folder / "run", viscous={"scheme": "fd", "boussinesq_shear": 10.0, "spring_relaxation_time": 0.1})
+        self.assert_refused("spring_stiffness is not given", first_peak.read_runs, self.folder)
 
     def test_pictures(self):
         files = plot_first_peak.plot_first_peak(self.folder, self.written(0.35))

@@ -58,8 +58,8 @@ class InFolder(unittest.TestCase):
             self.assertIn(word, str(caught.exception))
 
 
-def write_echo(folder, radius=8.0, width=72, law="skalak", capillary_number=0.02, modulus="G_s", kernel="cosine4", shear_time=3.0, inertia=True, viscous=None):
-    """echo.toml of a run; `viscous`: the keys of its membrane viscosity."""
+def write_echo(folder, radius=8.0, width=72, law="skalak", capillary_number=0.02, modulus="G_s", kernel="cosine4", shear_time=3.0, inertia=True, viscous=None, commit="abc"):
+    """echo.toml of a run (`viscous`: the keys of its membrane viscosity) and the beginning of its parameters.toml."""
     folder.mkdir(parents=True, exist_ok=True)
     law_parameters = ["area_ratio = 1.0"] if law == "skalak" else []
     law_parameters += [f"viscous.{key} = {value!r}" for key, value in (viscous or {}).items()]
@@ -68,6 +68,7 @@ def write_echo(folder, radius=8.0, width=72, law="skalak", capillary_number=0.02
         shear_time=shear_time, inertia=str(inertia).lower(), law_parameters="\n".join(law_parameters),
     )  # fmt: skip
     (folder / "echo.toml").write_text(text)
+    (folder / "parameters.toml").write_text(f"program = 'tanktread 0.1.0'\ncommit = '{commit}'\n[[capsule]]\nradius = {radius}\n")
 
 
 def write_observables(folder, rows):

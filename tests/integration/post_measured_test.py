@@ -13,10 +13,10 @@ ended at step 14400 with 48.5 MLUPS; results are in out
 
 
 class Measured(InFolder):
-    def add(self, run, deformation, commit="abc", times=(1.5, 3.0), log=None, **options):
+    def add(self, run, deformation, times=(1.5, 3.0), log=None, **options):
         write_run(self.folder / run, deformation=deformation, **options)
         (self.folder / "case").mkdir(exist_ok=True)
-        return measured.add(self.folder / "case", self.folder / run, run, times, f"cases/run case {run}", commit, log)
+        return measured.add(self.folder / "case", self.folder / run, run, times, f"cases/run case {run}", log)
 
     def test_rows_have_command_commit_and_date(self):
         (self.folder / "log").write_text(LOG)
@@ -69,9 +69,6 @@ class Measured(InFolder):
 
     def test_refuses_a_run_that_is_not_finished(self):
         self.assert_refused(["not finished", "--resume"], self.add, "a", 0.04, end=1.0)
-
-    def test_commit_outside_a_checkout_is_unknown(self):
-        self.assertEqual(measured.commit_of(self.folder), "unknown")
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 import os
 import unittest
+import unittest.mock
 
 import matplotlib.image
 import numpy
@@ -23,6 +24,13 @@ class Plots(InFolder):
 
     def test_says_that_nothing_is_there(self):
         self.assert_refused("neither the output of a run", plot.plot_observables, self.folder)
+
+    def test_a_capsule_is_not_drawn_without_a_display(self):
+        from tanktread_post import render
+
+        with unittest.mock.patch.dict(os.environ):
+            os.environ.pop("DISPLAY", None)
+            self.assert_refused("xvfb-run -a", render.render, self.folder)
 
 
 @unittest.skipUnless(os.environ.get("DISPLAY"), "needs a display: run it under xvfb-run")

@@ -1,0 +1,67 @@
+// parameters.toml as another program reads it.
+#include <gtest/gtest.h>
+#include <toml++/toml.h>
+
+#include "driver/parameters_file.hpp"
+#include "driver/version.hpp"
+#include "tests/unit/case_samples.hpp"
+
+namespace {
+
+using namespace tanktread::driver;
+using namespace tanktread::testing;
+
+toml::table read_back(const Parameters& parameters) {
+  return toml::parse(parameters_toml(parameters));
+}
+
+/// Written digits read back to the same double.
+void expect_real(const toml::node_view<const toml::node>& node, double expected) {
+  ASSERT_TRUE(node.is_floating_point());
+  EXPECT_EQ(node.value<double>(), expected);
+}
+
+TEST(ParametersFile, HoldsTheSameNumbers) {
+  const auto p = parameters(parse(
+      least_case,
+      {"membrane.viscous={scheme = \"fd\", boussinesq_shear = 10, spring_stiffness = 70, interval = 3}"}));
+  const auto file = read_back(p);
+  EXPECT_EQ(file["program"].value<std::string>(), std::string("tanktread ") + version);
+  EXPECT_EQ(file["commit"].value<std::string>(), commit);
+  const auto flow = std::as_const(file)["flow"];
+  expect_real(flow["shear_rate"], p.shear_rate);
+  expect_real(flow["wall_speed"], p.wall_speed);
+  expect_real(flow["kinematic_viscosity"], p.kinematic_viscosity);
+  expect_real(flow["relaxation_time_odd"], p.relaxation_time_odd);
+  expect_real(flow["reynolds_number"], p.reynolds_number);
+  expect_real(flow["body_force"][0], 0.0);
+  const auto capsule = std::as_const(file)["capsule"][0];
+  const auto& expected = p.capsules.at(0);
+  expect_real(capsule["radius"], 6.0);
+  expect_real(capsule["shear_modulus"], expected.shear_modulus);
+  expect_real(capsule["capillary_by_E_s"], expected.capillary_by_E_s);
+  EXPECT_FALSE(capsule["interfacial_tension"]);
+  const auto viscous = capsule["viscous"];
+  EXPECT_EQ(viscous["interval"].value<int>(), 3);
+  expect_real(viscous["shear_viscosity"], expected.viscous->shear_viscosity);
+  expect_real(viscous["shear_spring"], expected.viscous->shear_spring);
+  expect_real(viscous["interval_times_shear_spring"], 3 * expected.viscous->shear_spring);
+  // Bq_s mu_o a/(mu_o a): two roundings.
+  EXPECT_NEAR(*viscous["boussinesq_shear"].value<double>(), 10, 10 * 2.3e-16);
+  EXPECT_FALSE(viscous["dilatational_viscosity"]);
+}
+
+TEST(ParametersFile, LeavesOutWhatACapsuleDoesNotHave) {
+  const auto file = read_back(parameters(parse(least_case, {"membrane.elastic_law=interfacial-tension"})));
+  const auto& capsule = *file["capsule"][0].as_table();
+  EXPECT_TRUE(capsule.contains("interfacial_tension"));
+  for (const char* name : {"shear_modulus", "skalak_modulus", "capillary_by_G_s", "viscous"}) {
+    EXPECT_FALSE(capsule.contains(name)) << name;
+  }
+}
+
+TEST(ParametersFile, HasACapsuleForEachOfTheCase) {
+  EXPECT_EQ(read_back(parameters(parse(full_case)))["capsule"].as_array()->size(), 2u);
+}
+
+}  // namespace
