@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "driver/commands.hpp"
+#include "driver/signals.hpp"
 #include "driver/stages/case_options.hpp"
 #include "driver/stages/stages.hpp"
 
@@ -70,13 +71,14 @@ void add_membrane_command(CLI::App& app, int& exit_code) {
   add_motion_options(*command, *arguments);
   command->get_option("--motion")->excludes(in)->excludes(move)->excludes(state);
   command->callback([=, &exit_code] {
+    const SignalGuard guard;  // so that a program in the membrane's place, and its packets, end with the stage
     if (!arguments->motion_name.empty()) {
       run_motion(*arguments);
     } else {
       arguments->stage.the_case = arguments->the_case.read();
       run_stage(arguments->stage);
     }
-    exit_code = 0;
+    exit_code = SignalGuard::caught() == 0 ? 0 : 128 + SignalGuard::caught();
   });
 }
 

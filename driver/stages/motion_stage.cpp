@@ -5,6 +5,7 @@
 
 #include "driver/components.hpp"
 #include "driver/schedule.hpp"
+#include "driver/signals.hpp"
 #include "driver/stages/membrane_files.hpp"
 #include "driver/stages/packet_files.hpp"
 #include "driver/stages/phases.hpp"
@@ -112,7 +113,7 @@ void follow(const Motion& motion, std::vector<CapsuleMembrane>& membranes, const
     exchange::write_surface(out / file, membrane_file(membranes, velocity, force, step, shear_time));
     entries.push_back({shear_time, file});
     exchange::write_series(out / "membrane.pvd", entries);
-    if (++due == motion.written.end()) return;
+    if (++due == motion.written.end() || SignalGuard::caught() != 0) return;
   }
 }
 

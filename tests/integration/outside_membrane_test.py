@@ -1,5 +1,7 @@
 """A program in the place of a membrane. Usage: outside_membrane_test.py TANKTREAD [unittest arguments]."""
 
+import signal
+import subprocess
 import sys
 import unittest
 
@@ -110,6 +112,20 @@ class Packets(OutsideTest):
         }  # fmt: skip
         for name, value in wanted.items():
             self.assertAlmostEqual(packet.field_data[name][0], value, delta=1e-12 * value, msg=name)
+
+    def test_they_go_with_a_stage_that_is_interrupted(self):
+        slow = command("sh", "-c", f"echo started >&2; sleep 1; exec /usr/bin/python3 {PROGRAM}")
+        self.run_case("out", *steps(2))
+        stage = subprocess.Popen(
+            [self.program, "membrane", "--case", "out/echo.toml", "--set", f"membrane.command={slow}",
+             "--in", "out/membrane/membrane_0000000002.vtu", "--out", "step.vtu"],
+            cwd=self.folder, text=True, stderr=subprocess.PIPE,
+        )  # fmt: skip
+        self.assertEqual(stage.stderr.readline(), "started\n")
+        stage.send_signal(signal.SIGINT)
+        said = stage.communicate(timeout=60)[1]
+        self.assertEqual(stage.returncode, 130, said)
+        self.assertFalse(packet_folder(said).exists())
 
     def test_two_runs_may_not_have_one_place(self):
         import fcntl
