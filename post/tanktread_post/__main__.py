@@ -7,7 +7,7 @@ import argparse
 import pathlib
 import sys
 
-from . import compare, measured, observables, run_folder, surface
+from . import case_results, measured, observables, run_folder, surface
 
 
 def build_parser():
@@ -23,11 +23,8 @@ def build_parser():
         command.set_defaults(call=call)
         return command
 
-    add("plot", _plot, "deformation.png and inclination.png: against shear time, the reference drawn in", False)
-    add("plot-errors", _plot_errors, "errors.png: small deformation, the error against the resolution", True)
-    add("plot-tables", _plot_tables, "the plots of study.toml, the reference drawn in", True)
-    add("compare", lambda a: compare.compare(a.output, a.case), "a table ours / reference / difference", True)
-    add("compare-theory", _compare_theory, "tables of the error against the limit of small deformation", True)
+    add("plot", lambda a: _said(case_results.draw(a.output, a.case)), "the plots of the case: D and inclination against shear time, or its own", False)
+    add("compare", lambda a: case_results.judge(a.output, a.case), "the tables of the case: ours / reference / difference", True)
     add("finished", lambda a: 0 if run_folder.is_finished(a.output) else 1, "exit code 0 if the run is at its end, else 1", None)
 
     command = add("render", _render, "capsule.png: the membrane in the flow (without a display: xvfb-run)", None)
@@ -82,31 +79,7 @@ def _said(lines):
     return 0
 
 
-# matplotlib, VTK and meshio are slow to load, so only the commands that need them do.
-def _plot(arguments):
-    from . import plot
-
-    return _said(plot.plot_observables(arguments.output, arguments.case))
-
-
-def _plot_errors(arguments):
-    from . import plot
-
-    return _said(plot.plot_small_deformation(arguments.output, arguments.case))
-
-
-def _plot_tables(arguments):
-    from . import plot_study
-
-    return _said(plot_study.plot_tables(arguments.output, arguments.case))
-
-
-def _compare_theory(arguments):
-    from . import small_deformation
-
-    return small_deformation.compare(arguments.output, arguments.case)
-
-
+# VTK and meshio are slow to load, so only the commands that need them do.
 def _render(arguments):
     from . import render
 

@@ -53,6 +53,23 @@ def print_rows(title, header, rows):
         print("  ".join(cells).rstrip())
 
 
+def _end(entry):
+    """The last shear time that an entry reads."""
+    return entry["mean_over"][1] if "mean_over" in entry else entry["shear_time"]
+
+
+def _when(entry):
+    return "mean {:g} to {:g}".format(*entry["mean_over"]) if "mean_over" in entry else f"{entry['shear_time']:.2f}"
+
+
+def _read(directory, entry):
+    """The value that an entry reads of a run."""
+    observables = Observables(directory)
+    if "mean_over" in entry:
+        return observables.mean(entry["name"], *entry["mean_over"])
+    return observables.at(entry["name"], entry["shear_time"])
+
+
 def _run_directory(output, run, shear_time):
     """The folder of a run; None if it is not there, or (of a case of many) has not come to the shear time yet.
 
@@ -61,7 +78,7 @@ def _run_directory(output, run, shear_time):
     directory = pathlib.Path(output) if run is None else pathlib.Path(output) / run
     if not is_run(directory):
         return None
-    if run is not None and Observables(directory)["shear_time"][-1] < shear_time:
+    if run is not None and not Observables(directory).reaches(shear_time):
         return None
     return directory
 
@@ -85,27 +102,33 @@ def _slope_row(output, slope):
 def _value_row(output, value):
     if "table" in value:
         return _cell_row(output, value)
-    directory = _run_directory(output, value["run"], value["shear_time"])
+    directory = _run_directory(output, value["run"], _end(value))
     label = value["name"] if value["run"] is None else f"{value['run']}: {value['name']}"
     if directory is None:
         return None, label
-    ours = Observables(directory).at(value["name"], value["shear_time"])
-    return table_row(label, f"{value['shear_time']:.2f}", ours, value["reference"], value["relative"], value["band"]), label
+    ours = _read(directory, value)
+    return table_row(label, _when(value), ours, value["reference"], value["relative"], value["band"]), label
 
 
 def _change_row(output, change):
-    directories = [_run_directory(output, change[key], change["shear_time"]) for key in ("from", "to")]
+    directories = [_run_directory(output, change[key], _end(change)) for key in ("from", "to")]
     label = f"{change['from']} to {change['to']}: {change['name']}"
     if None in directories:
         return None, label
-    first, second = (Observables(directory).at(change["name"], change["shear_time"]) for directory in directories)
-    return table_row(label, f"{change['shear_time']:.2f}", second, first, True, change["band"]), label
+    first, second = (_read(directory, change) for directory in directories)
+    return table_row(label, _when(change), second, first, True, change["band"]), label
+
+
+def _holds_results(output):
+    """Whether a folder holds a run, runs, or tables."""
+    output = pathlib.Path(output)
+    return is_run(output) or (output.is_dir() and any(is_run(path) or path.suffix == ".csv" for path in output.iterdir()))
 
 
 def compare(output, case):
     """Prints the table of a case; 1 if a value lies outside its band, else 0. Runs that are not there are named.
 
-    A choice of runs may have no value that is judged; that is said, and is no failure.
+    A choice of runs may have no value that is compared or judged; that is said, and is no failure.
     """
     wanted = read_comparison(case)
     rows, verdicts, absent = [], [], []
@@ -117,10 +140,11 @@ def compare(output, case):
             else:
                 rows.append(row[0])
                 verdicts.append(row[1])
-    if not rows:
+    if not _holds_results(output):
         raise InputError(f"{output}: none of the runs or tables of {case} is there")
-    header = tuple(wanted["source"] if name == "reference" else name for name in HEADER)
-    print_rows(wanted["title"], header, rows)
+    if rows:
+        header = tuple(wanted["source"] if name == "reference" else name for name in HEADER)
+        print_rows(wanted["title"], header, rows)
     if absent:
         print("not run yet: " + ", ".join(absent))
     if all(inside is None for inside in verdicts):

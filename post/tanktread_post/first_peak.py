@@ -4,6 +4,7 @@ The thesis fits the peak by D1 = A kappa^-b + c (Eq. 3.42), and maps stable and 
 kappa. A run that breaks down is a result here: it is known by its log.
 """
 
+import csv
 import dataclasses
 import math
 import pathlib
@@ -21,12 +22,19 @@ class Reading:
     """One run: its parameters, whether it broke down, and the first peak of D (NaN: none yet, or broken down)."""
 
     run: str
+    commit: str  # of the program that made it
+    scheme: str
     boussinesq_shear: float
     stiffness: float  # kappa
     interval: int  # N
     interval_times_spring: float  # N k_s', lattice units
     broke_down: bool
     peak: float
+
+    @property
+    def outcome(self):
+        """As the thesis's table has it."""
+        return "breaks down" if self.broke_down else "stable"
 
 
 def first_peak(deformation):
@@ -46,12 +54,15 @@ def read_run(directory, log):
     viscous = read_echo(directory)["capsule"][0]["membrane"]["viscous"]
     if "spring_stiffness" not in viscous:
         raise InputError(f"{directory}: membrane.viscous.spring_stiffness is not given, but the peak is read against it")
+    parameters = read_parameters(directory)
     return Reading(
         run=pathlib.Path(directory).name,
+        commit=parameters["commit"],
+        scheme=viscous["scheme"],
         boussinesq_shear=viscous["boussinesq_shear"],
         stiffness=viscous["spring_stiffness"],
         interval=viscous["interval"],
-        interval_times_spring=read_parameters(directory)["capsule"][0]["viscous"]["interval_times_shear_spring"],
+        interval_times_spring=parameters["capsule"][0]["viscous"]["interval_times_shear_spring"],
         broke_down=broken,
         peak=math.nan if broken else first_peak(Observables(directory)["deformation"]),
     )
@@ -61,7 +72,7 @@ def read_runs(output):
     """The readings of all runs below a folder."""
     directories = sorted(path for path in pathlib.Path(output).iterdir() if is_run(path)) if pathlib.Path(output).is_dir() else []
     readings = (read_run(path, path.with_name(path.name + ".log")) for path in directories)
-    return [reading for reading in readings if reading is not None]
+    return sorted((r for r in readings if r is not None), key=lambda r: (r.boussinesq_shear, r.interval, r.stiffness, r.scheme))
 
 
 def fit(stiffness, peak):
@@ -87,12 +98,30 @@ def fit(stiffness, peak):
 
 
 def fits(readings):
-    """{Bq_s: (A, b, c)} of the stable runs with a peak."""
+    """{Bq_s: (A, b, c)} of the stable runs with a peak, of the scheme `fd` alone: with the others a kappa would count twice."""
     result = {}
     for number in sorted({r.boussinesq_shear for r in readings}):
-        chosen = [r for r in readings if r.boussinesq_shear == number and not math.isnan(r.peak)]
+        chosen = [r for r in readings if r.boussinesq_shear == number and r.scheme == "fd" and not math.isnan(r.peak)]
         result[number] = fit([r.stiffness for r in chosen], [r.peak for r in chosen])
     return result
+
+
+def published_stability(case, settings):
+    """The thesis's points: (Bq_s, N, kappa, N k_s' in lattice units, outcome)."""
+    rows = read_table(pathlib.Path(case) / settings["stability"])
+    points = [(float(row["bq_s"]), int(row["N"]), float(row["kappa"]), row["outcome"]) for row in rows]
+    return [(bq, n, kappa, settings["stability_spring"] * n * kappa * bq, outcome) for bq, n, kappa, outcome in points]
+
+
+def write_readings(readings, file):
+    """A CSV of the readings: a row a run, those that broke down among them."""
+    with open(file, "w", newline="") as stream:
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow(("run", "scheme", "boussinesq_shear", "interval", "spring_stiffness", "interval_times_spring", "outcome", "first_peak", "commit"))
+        for r in readings:
+            peak = "" if math.isnan(r.peak) else f"{r.peak:.8g}"
+            numbers = (f"{r.boussinesq_shear:g}", r.interval, f"{r.stiffness:g}", f"{r.interval_times_spring:.6g}")
+            writer.writerow((r.run, r.scheme, *numbers, r.outcome, peak, r.commit))
 
 
 def compare(output, case):
@@ -100,14 +129,16 @@ def compare(output, case):
     settings, readings = read_comparison(case)["first_peak"], read_runs(output)
     if not readings:
         raise InputError(f"{output}: no run that is finished or broken down is there")
-    readings.sort(key=lambda r: (r.boussinesq_shear, r.interval, r.stiffness))
     print_rows(
         "First peak of D, and stability",
         ("run", "Bq_s", "N", "kappa", "N k_s'", "D1", "outcome"),
         [
             (r.run, f"{r.boussinesq_shear:g}", f"{r.interval}", f"{r.stiffness:g}", f"{r.interval_times_spring:.3g}",
-             "" if math.isnan(r.peak) else f"{r.peak:.5f}", "breaks down" if r.broke_down else "stable")
+             "" if math.isnan(r.peak) else f"{r.peak:.5f}", r.outcome)
             for r in readings
+        ] + [
+            ("thesis", f"{bq:g}", f"{n}", f"{kappa:g}", f"{product:.3g}", "", outcome)
+            for bq, n, kappa, product, outcome in published_stability(case, settings)
         ],
     )  # fmt: skip
     rows, verdicts = [], []
@@ -122,6 +153,4 @@ def compare(output, case):
             verdicts.append(inside)
     if rows:
         print_rows("D1 = A kappa^-b + c", ("quantity", "", "ours", "thesis", "difference", "band", ""), rows)
-    published = read_table(pathlib.Path(case) / settings["stability"])
-    print("\nthesis: " + "; ".join(f"Bq_s {r['bq_s']}, N {r['N']}, kappa {r['kappa']} {r['outcome']}" for r in published))
     return 1 if False in verdicts else 0

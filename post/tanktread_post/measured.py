@@ -7,8 +7,10 @@ its block.
 
 import datetime
 import pathlib
+import shutil
 import subprocess
 
+from . import first_peak
 from .observables import InputError, Observables
 from .run_folder import is_finished, read_cost, read_echo, read_parameters
 
@@ -95,6 +97,23 @@ def add(case, directory, run, shear_times, command, log=None):
     lines = [",".join(COLUMNS)] + [line for block in blocks.values() for line in block]
     file.write_text("\n".join(lines) + "\n")
     return file
+
+
+def add_readings(case, readings, command):
+    """Writes the readings of first_peak.py to measured/first_peak.csv, runs that broke down among them. Returns the file."""
+    file = pathlib.Path(case) / "measured" / "first_peak.csv"
+    file.parent.mkdir(exist_ok=True)
+    first_peak.write_readings(readings, file)
+    file.write_text(f"# {datetime.date.today().isoformat()}: {command}\n" + file.read_text())
+    return file
+
+
+def add_pictures(case, files):
+    """Copies pictures to measured/, beside the numbers that they show."""
+    folder = pathlib.Path(case) / "measured"
+    folder.mkdir(exist_ok=True)
+    for file in files:
+        shutil.copy(file, folder / pathlib.Path(file).name)
 
 
 def add_table(case, table, command, commit):

@@ -33,15 +33,25 @@ class Observables:
             raise InputError(f"{self.file}: there is no column '{name}', only {', '.join(self.columns)}")
         return self.columns[name]
 
+    def reaches(self, shear_time):
+        """Whether the run has come to a shear time: a run to T ends with the step nearest to T."""
+        last, step = self["shear_time"][-1], self["step"][-1]
+        half_a_step = 0.500001 * last / step if step > 0 else 0.0  # and a rounding
+        return bool(shear_time <= last + half_a_step)
+
     def at(self, name, shear_time):
-        """The value at a shear time, by linear interpolation between two rows; never beyond the last row."""
+        """The value at a shear time, by linear interpolation between two rows; never beyond the last step."""
         times, values = self["shear_time"], self[name]
-        # The last row of a run to T lies within half a step of T: reading at T means that row.
-        if shear_time > times[-1] and abs(shear_time - times[-1]) <= 1e-3:
-            return float(values[-1])
-        if not times[0] <= shear_time <= times[-1]:
+        if shear_time < times[0] or not self.reaches(shear_time):
             raise InputError(
                 f"{self.file}: shear time {shear_time:g} is outside {times[0]:.6g} to {times[-1]:.6g}; "
                 "the run must go on to it (tanktread run --resume DIR --shear-time T)"
             )
         return float(numpy.interp(shear_time, times, values))
+
+    def mean(self, name, start, end):
+        """The mean over a stretch of shear time, by straight lines between the rows."""
+        within = (self["shear_time"] > start) & (self["shear_time"] < end)
+        times = numpy.array([start, *self["shear_time"][within], end])
+        values = numpy.array([self.at(name, start), *self[name][within], self.at(name, end)])
+        return float(numpy.sum(0.5 * (values[1:] + values[:-1]) * numpy.diff(times)) / (end - start))

@@ -63,7 +63,8 @@ def plot_observables(output, case=None):
             drawn = observables["deformation"] > SMALLEST_DEFORMATION if name == "inclination_deg" else slice(None)
             x, y = observables["shear_time"][drawn], observables[name][drawn]
             axes.plot(x, y, color=COLOURS[k % len(COLOURS)], label=run)
-        points = sorted({(v["shear_time"], v["reference"]) for v in wanted["value"] if v["name"] == name})
+        # The reference of a mean is drawn at the end of its stretch of time.
+        points = sorted({(v.get("shear_time") or v["mean_over"][1], v["reference"]) for v in wanted["value"] if v["name"] == name})
         if points:
             axes.plot(*zip(*points), "o", color="black", markerfacecolor="white", markersize=7, label=wanted["source"], zorder=3)
         axes.set_xlim(left=0)

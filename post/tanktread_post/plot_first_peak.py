@@ -17,7 +17,7 @@ def plot_peaks(output, case, readings):
     figure, axes = new_axes(r"stiffness of the spring  $\kappa$", "first peak  $D_1$")
     axes.set_xscale("log")
     for colour, (number, (a, b, c)) in zip(COLOURS, first_peak.fits(readings).items()):
-        chosen = [r for r in readings if r.boussinesq_shear == number and not math.isnan(r.peak)]
+        chosen = [r for r in readings if r.boussinesq_shear == number and r.scheme == "fd" and not math.isnan(r.peak)]
         if not chosen:
             continue
         axes.plot([r.stiffness for r in chosen], [r.peak for r in chosen], "o", color=colour, label=f"$Bq_s$ = {number:g}")
@@ -32,8 +32,8 @@ def plot_peaks(output, case, readings):
     return save(figure, pathlib.Path(output) / "first_peak.png")
 
 
-def plot_stability(output, readings):
-    """stability.png: N k_s' of each run against N, stable or not."""
+def plot_stability(output, case, readings):
+    """stability.png: N k_s' of each run against N, stable or not, the thesis's points beside ours."""
     figure, axes = new_axes("steps between updates  $N$", r"$N k_s'$  (lattice units)")
     axes.set_xscale("log")
     axes.set_yscale("log")
@@ -43,6 +43,11 @@ def plot_stability(output, readings):
             if chosen:
                 label = f"$Bq_s$ = {number:g}, {'breaks down' if broken else 'stable'}"
                 axes.plot([r.interval for r in chosen], [r.interval_times_spring for r in chosen], marker, color=colour, label=label)
+    points = first_peak.published_stability(case, read_comparison(case)["first_peak"])
+    for outcome, marker in (("stable", "s"), ("breaks down", "x")):
+        chosen = [(n, product) for _, n, _, product, said in points if said == outcome]
+        if chosen:
+            axes.plot(*zip(*chosen), marker, color="black", markerfacecolor="white", label=f"thesis, {outcome}")
     axes.legend(frameon=False)
     return save(figure, pathlib.Path(output) / "stability.png")
 
@@ -50,4 +55,4 @@ def plot_stability(output, readings):
 def plot_first_peak(output, case):
     """Both pictures; their files."""
     readings = first_peak.read_runs(output)
-    return [plot_peaks(output, case, readings), plot_stability(output, readings)] if readings else []
+    return [plot_peaks(output, case, readings), plot_stability(output, case, readings)] if readings else []

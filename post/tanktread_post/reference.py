@@ -1,21 +1,24 @@
 """The numbers a case is held against: compare.toml and the tables of its reference/ folder.
 
-A compare.toml has a title, a source, and any of
+A compare.toml has a title, a source (default "reference"), in a case of many runs `read_at` (the shear times at which
+--measure reads each run), and any of
 
     [[value]]            a value at a shear time, held against a reference
     run = "mesh-3"       which run; left out in a case of one run
     name = "deformation" a column of observables.csv
-    shear_time = 4.17
+    shear_time = 4.17    or mean_over = [20, 30]: the mean over a stretch of shear time
     reference = 1.0      a number, or { file, column, where = { column = value, ... } }: one row of a CSV;
                          with `factor`, that number times it
     band = 0.015         largest difference allowed; left out: shown, not judged
     relative = true      whether the band is a share of the reference (default), or in the quantity's unit
 
     [[change]]           the relative change of a value from one run to another
-    name, shear_time, from, to, band
+    name, shear_time or mean_over, from, to, band (also "below" or "above": smaller or larger than in the first run)
 
     [[snapshot]]         a moment of a run, for one picture of all of them (see snapshots.py)
     run, shear_time, label, field (default "area_ratio")
+
+    [small_deformation], [first_peak]   what small_deformation.py and first_peak.py make their tables of: SECTIONS below
 
 and, in a case whose tables study.toml lists (see study.py),
 
@@ -36,6 +39,64 @@ import pathlib
 import tomllib
 
 from .observables import InputError
+
+
+# The keys of compare.toml: those an entry must have, those it may have.
+MAIN = (("title",), ("source", "read_at"))
+ENTRIES = {
+    "value": (("reference",), ("run", "name", "shear_time", "mean_over", "table", "where", "column", "band", "relative")),
+    "slope": (("table", "where", "x", "y", "reference"), ("name", "band", "relative")),
+    "change": (("name", "from", "to"), ("shear_time", "mean_over", "band")),
+    "snapshot": (("run", "shear_time", "label"), ("field",)),
+}
+SECTIONS = {
+    "small_deformation": (
+        (
+            "shear_time", "band", "laws", "kernel", "slope_kernels", "judged_kernel", "kernels", "kernel_law", "kernel_capillary_number",
+            "box_in_radii", "least_radius", "box_radius",
+        ),
+        (),
+    ),
+    "first_peak": (("fit", "stability", "stability_spring", "band"), ()),
+}  # fmt: skip
+
+
+def check_keys(place, table, keys):
+    """Refuses a table that has not the keys it must have, or has others. `place` names it; `keys`: must, may."""
+    must, may = keys
+    for name in must:
+        if name not in table:
+            raise InputError(f"{place}: the key '{name}' is missing; it must have: {', '.join(must)}")
+    for name in table:
+        if name not in must + may:
+            raise InputError(f"{place}: there is no key '{name}'; there are: {', '.join(must + may)}")
+
+
+def read_toml(file):
+    """A TOML file as a dictionary."""
+    if not file.is_file():
+        raise InputError(f"{file}: there is no such file")
+    try:
+        with open(file, "rb") as stream:
+            return tomllib.load(stream)
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(f"{file}: {error}") from None
+
+
+def _check_comparison(file, wanted):
+    check_keys(file, wanted, (MAIN[0], MAIN[1] + tuple(ENTRIES) + tuple(SECTIONS)))
+    for name, keys in SECTIONS.items():
+        if name in wanted:
+            check_keys(f"{file}: [{name}]", wanted[name], keys)
+    for name, keys in ENTRIES.items():
+        for number, entry in enumerate(wanted.get(name, []), 1):
+            place = f"{file}: [[{name}]] number {number}"
+            check_keys(place, entry, keys)
+            reads_a_run = name == "change" or (name == "value" and "table" not in entry)
+            if reads_a_run and ("name" not in entry or ("shear_time" in entry) == ("mean_over" in entry)):
+                raise InputError(f"{place}: it must have `name` and one of `shear_time` and `mean_over`")
+            if name == "value" and "table" in entry and not ("where" in entry and "column" in entry):
+                raise InputError(f"{place}: a cell of a table must have `where` and `column`")
 
 
 def read_table(file):
@@ -78,10 +139,8 @@ def look_up(folder, reference):
 def read_comparison(case):
     """compare.toml of a case folder, with every reference of the case looked up and every default filled in."""
     file = pathlib.Path(case) / "compare.toml"
-    if not file.is_file():
-        raise InputError(f"{file}: there is no such file")
-    with open(file, "rb") as stream:
-        wanted = tomllib.load(stream)
+    wanted = read_toml(file)
+    _check_comparison(file, wanted)
     wanted.setdefault("source", "reference")
     for value in wanted.setdefault("value", []) + wanted.setdefault("slope", []):
         # A cell of a table that is yet to be made is looked up when it is compared.

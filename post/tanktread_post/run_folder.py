@@ -42,11 +42,7 @@ def is_run(directory):
 def is_finished(directory):
     """Whether the run has reached the end that its case asks for."""
     try:
-        observables = Observables(directory)
-        last, step = observables["shear_time"][-1], observables["step"][-1]
-        # A run ends at the step nearest to its end, so up to half a step before it (and a rounding).
-        half_a_step = 0.500001 * last / step if step > 0 else 0.0
-        return last >= read_echo(directory)["run"]["shear_time"] - half_a_step
+        return Observables(directory).reaches(read_echo(directory)["run"]["shear_time"])
     except InputError:
         return False
 
@@ -81,6 +77,8 @@ def breakdown(log):
         return None
     text = pathlib.Path(log).read_text(errors="replace")
     start = text.rfind("tanktread: error: ")
-    if start < 0 or start < text.rfind("ended at step") or "last good state: " not in text[start:]:
+    if start < 0 or start < text.rfind("ended at step"):
         return None
-    return text[start:].splitlines()[0].removeprefix("tanktread: error: ")
+    # What goes wrong with a file (a full disk) has no step before it.
+    message = text[start:].splitlines()[0].removeprefix("tanktread: error: ")
+    return message if re.match(r"step \d+: ", message) else None

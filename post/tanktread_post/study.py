@@ -17,21 +17,27 @@ A study.toml has any of
 """
 
 import pathlib
-import tomllib
 
 import numpy
 
 from .observables import InputError
-from .reference import look_up, matching_rows, read_table
+from .reference import check_keys, look_up, matching_rows, read_table, read_toml
+
+# The keys of study.toml: those an entry must have, those it may have.
+ENTRIES = {
+    "table": (("file", "arguments"), ()),
+    "plot": (("file", "table", "x", "y"), ("where", "lines", "x_label", "y_label", "reference")),
+}
 
 
 def read_study(case):
     """study.toml of a case folder, with every default filled in."""
     file = pathlib.Path(case) / "study.toml"
-    if not file.is_file():
-        raise InputError(f"{file}: there is no such file")
-    with open(file, "rb") as stream:
-        wanted = tomllib.load(stream)
+    wanted = read_toml(file)
+    check_keys(file, wanted, ((), tuple(ENTRIES)))
+    for name, keys in ENTRIES.items():
+        for number, entry in enumerate(wanted.get(name, []), 1):
+            check_keys(f"{file}: [[{name}]] number {number}", entry, keys)
     for plot in wanted.setdefault("plot", []):
         plot.setdefault("where", {})
         plot.setdefault("lines", [])

@@ -165,7 +165,10 @@ class RunBuilt(InFolder):
         code, output, calls = self.run_it("many", FAKE_BREAKDOWN="1")
         self.assertEqual((code, calls), (0, []), output)
         self.assertEqual(output.count("broke down before"), 3)
-        self.assertEqual(len(self.run_it("many", "--again", FAKE_BREAKDOWN="1")[2]), 3)
+        self.assertEqual(len(self.run_it("many", "--again", "--measure", FAKE_BREAKDOWN="1")[2]), 3)
+        table = (self.folder / "cases/many/measured/first_peak.csv").read_text()
+        self.assertEqual(table.count("breaks down"), 3)
+        self.assertTrue((self.folder / "cases/many/measured/stability.png").is_file())
 
     def test_a_signal_reaches_the_run(self):
         process = self.start("many", "first", FAKE_WAIT="1")
@@ -180,6 +183,12 @@ class RunBuilt(InFolder):
         self.assertEqual(code, 0, output)
         text = (self.folder / "cases/many/measured/results.csv").read_text()
         self.assertIn(", commit abc: cases/run many first\nfirst,skalak,0.02,", text)
+        self.assertTrue((self.folder / "cases/many/measured/deformation.png").is_file())
+        compare = self.folder / "cases/many/compare.toml"
+        compare.write_text(compare.read_text().replace("read_at = [4.0]\n", ""))
+        code, output, calls = self.run_it("many", "second", "--measure")
+        self.assertEqual((code, calls), (2, []), output)
+        self.assertIn("'read_at' is missing", output)
 
     def test_one_run_is_replaced_and_compared(self):
         code, output, calls = self.run_it("one", "--threads", "2")
@@ -208,6 +217,7 @@ class RunBuilt(InFolder):
         (self.folder / "cases/tables/compare.toml").write_text(COMPARE_TABLE.replace("0.8\n", "0.9\n"))
         code, output, calls = self.run_it("tables")
         self.assertEqual((code, calls), (1, [first, "study maxwell --out output/tables/second.csv"]), output)
+        self.assertTrue((self.folder / "cases/tables/measured/first.png").is_file())
         self.assertFalse((self.folder / "cases/tables/measured/second.csv").exists())
         self.assertEqual(self.run_it("tables", FAKE_EXIT="3")[0], 3)
 

@@ -32,10 +32,18 @@ class Reading(InFolder):
         self.assertAlmostEqual(Observables(self.folder).at("deformation", 0.5), 0.2, delta=1e-15)
 
     def test_never_reads_beyond_the_end(self):
-        write_observables(self.folder, [{"shear_time": 0, "deformation": 0}, {"shear_time": 2, "deformation": 1}])
+        write_observables(self.folder, [{"shear_time": 0, "deformation": 0}, {"shear_time": 2, "deformation": 1, "step": 1000}])
         self.assert_refused(["shear time 2.1 is outside 0 to 2", "--resume"], Observables(self.folder).at, "deformation", 2.1)
         # The last step lies within half a step of the end: it is the reading at the end.
-        self.assertEqual(Observables(self.folder).at("deformation", 2.0005), 1.0)
+        self.assertEqual(Observables(self.folder).at("deformation", 2.0009), 1.0)
+        self.assertFalse(Observables(self.folder).reaches(2.0011))
+
+    def test_a_mean_is_that_of_the_lines_between_rows(self):
+        rows = [{"shear_time": t, "deformation": d} for t, d in ((0, 0.0), (1, 0.2), (3, 0.6), (4, 0.0))]
+        write_observables(self.folder, rows)
+        # 0.2 t up to 3, then a fall to 0: from 0.5 to 3.5 the area is 0.1 (9 - 0.25) + 0.5 (0.6 + 0.3)/2.
+        self.assertAlmostEqual(Observables(self.folder).mean("deformation", 0.5, 3.5), (0.875 + 0.225) / 3, delta=1e-15)
+        self.assert_refused("outside 0 to 4", Observables(self.folder).mean, "deformation", 3, 5)
 
     def test_takes_one_capsule(self):
         rows = [{"shear_time": t, "deformation": 10 * c + t, "capsule": c} for t in (0, 1) for c in (0, 1)]
@@ -131,7 +139,35 @@ class Comparing(InFolder):
         self.assertEqual(code, 0)
         self.assertIn("not run yet: c: deformation", text)
         self.assertEqual(self.compare('title = ""\n' + change.format(to="d"))[0], 1)
-        self.assert_refused("none of the runs", self.compare, 'title = ""\n' + value)
+        code, text = self.compare('title = ""\n' + value)
+        self.assertEqual(code, 0)
+        self.assertIn("nothing was judged", text)
+
+    def test_a_mean_over_time(self):
+        write_run(self.folder / "run/a", deformation=0.4)
+        value = '[[value]]\nrun = "a"\nname = "deformation"\nmean_over = [1, {end}]\nreference = 0.4\nband = 0.001\n'
+        code, text = self.compare('title = ""\n' + value.format(end=3))
+        self.assertEqual(code, 0)
+        self.assertIn("mean 1 to 3", text)
+        self.assertIn("not run yet: a", self.compare('title = ""\n' + value.format(end=3.5))[1])
+
+    def test_says_that_nothing_is_there(self):
+        self.assert_refused("none of the runs", self.compare, 'title = ""\n')
+
+    def test_refuses_keys_that_compare_toml_does_not_have(self):
+        write_run(self.folder / "run/a")
+        for text, words in (
+            ("", ["compare.toml", "'title' is missing"]),
+            ('title = ""\nvalues = 1\n', ["no key 'values'", "value"]),
+            ('title = ""\n[[value]]\nname = "deformation"\nshear_time = 1\n', ["[[value]] number 1", "'reference' is missing"]),
+            ('title = ""\n[[value]]\nname = "deformation"\nreference = 1\n', ["[[value]] number 1", "one of `shear_time` and `mean_over`"]),
+            ('title = ""\n[[value]]\ntable = "a.csv"\nreference = 1\n', ["[[value]] number 1", "`where` and `column`"]),
+            ('title = ""\n[[change]]\nname = "deformation"\nshear_time = 1\nfrom = "a"\n', ["[[change]] number 1", "'to' is missing"]),
+            ('title = ""\n[first_peak]\nfit = ""\n', ["[first_peak]", "'stability' is missing"]),
+            ('title = "\n', ["compare.toml", "line 1"]),
+        ):
+            with self.subTest(text=text):
+                self.assert_refused(words, self.compare, text)
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ import unittest
 import numpy
 from post_fixture import InFolder, write_echo, write_observables, write_run
 
-from tanktread_post import first_peak, plot_first_peak, run_folder
+from tanktread_post import first_peak, measured, plot_first_peak, reference, run_folder
 
 BROKEN = """time   0.100 of 1.000  D 0.0100  inclination  44.00 deg  50.0 MLUPS  0 s left
 tanktread: error: step 375: membrane element 7 has collapsed
@@ -16,16 +16,18 @@ last good state: out/checkpoints/step_0000000000
 """
 FIT = "# made for a test\nbq_s,A,b,c\n10,0.03,1.0,0.35\n"
 COMPARE = """title = "made for a test"
+read_at = [1.0]
 [first_peak]
 fit = "fit.csv"
 stability = "stability.csv"
+stability_spring = 5.305e-6
 band = 0.01
 """
 
 
-def write_peak(folder, stiffness, peak, number=10.0, interval=1):
+def write_peak(folder, stiffness, peak, number=10.0, interval=1, scheme="fd"):
     """A finished run whose D rises to a peak, falls, and rises to a higher one later."""
-    viscous = {"scheme": "fd", "boussinesq_shear": number, "spring_stiffness": stiffness, "interval": interval}
+    viscous = {"scheme": scheme, "boussinesq_shear": number, "spring_stiffness": stiffness, "interval": interval}
     write_echo(folder, viscous=viscous, shear_time=3.0)
     with open(folder / "parameters.toml", "a") as stream:
         stream.write(f"viscous.interval_times_shear_spring = {interval * stiffness / 675!r}\n")
@@ -58,6 +60,8 @@ class FirstPeak(InFolder):
         self.assertIsNone(run_folder.breakdown(log), "it was run again and ended well")
         log.write_text("tanktread: error: bad input\n")
         self.assertIsNone(run_folder.breakdown(log), "bad input is no breakdown")
+        log.write_text("tanktread: error: out/fluid.vti: No space left on device\nlast good state: out/checkpoints/step_0000000000\n")
+        self.assertIsNone(run_folder.breakdown(log), "a full disk is no breakdown")
 
     def written(self, limit):
         for stiffness in (1.0, 3.0, 10.0, 100.0):
@@ -82,6 +86,8 @@ class FirstPeak(InFolder):
         code, text = self.compared(0.3501)
         self.assertEqual(code, 0, text)
         self.assertIn("breaks down", text)
+        # The thesis's point of the fixture: N k_s' = 25 * 5.305e-6 * 250 * 10 = 0.332.
+        self.assertRegex(text, r"thesis +10 +25 +250 +0\.332 +stable")
         self.assertNotIn("begun", text)
         self.assertEqual(self.compared(0.36)[0], 1)
 
@@ -93,6 +99,22 @@ class FirstPeak(InFolder):
     def test_a_spring_given_otherwise_is_refused(self):
         write_run(self.folder / "run", viscous={"scheme": "fd", "boussinesq_shear": 10.0, "spring_relaxation_time": 0.1})
         self.assert_refused("spring_stiffness is not given", first_peak.read_runs, self.folder)
+
+    def test_a_run_of_another_scheme_is_no_point_of_the_fit(self):
+        self.written(0.35)
+        before = first_peak.fits(first_peak.read_runs(self.folder))
+        write_peak(self.folder / "k10-int1", 10.0, 0.9, scheme="int1")
+        self.assertEqual(first_peak.fits(first_peak.read_runs(self.folder)), before)
+
+    def test_measured_readings_hold_the_runs_that_broke_down(self):
+        case = self.written(0.35)
+        file = measured.add_readings(case, first_peak.read_runs(self.folder), "cases/run case")
+        rows = {row["run"]: row for row in reference.read_table(file)}
+        self.assertEqual(set(rows), {"k1", "k3", "k10", "k100", "broken"})
+        self.assertEqual((rows["broken"]["outcome"], rows["broken"]["first_peak"]), ("breaks down", ""))
+        self.assertEqual((rows["k10"]["outcome"], rows["k10"]["commit"]), ("stable", "abc"))
+        self.assertAlmostEqual(float(rows["k10"]["first_peak"]), 0.353, delta=1e-4)
+        self.assertRegex(file.read_text(), r"^# \d{4}-\d\d-\d\d: cases/run case\n")
 
     def test_pictures(self):
         files = plot_first_peak.plot_first_peak(self.folder, self.written(0.35))
