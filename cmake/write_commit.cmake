@@ -14,7 +14,8 @@ set(commit unknown)
 ask_git(prefix rev-parse --show-prefix)  # not empty: unpacked somewhere in another checkout, whose commit says nothing
 ask_git(head rev-parse --short=10 HEAD)
 if(head AND NOT prefix)
-  ask_git(changes status --porcelain --untracked-files=no)
+  # Measured results are no part of the program, and change with each measurement.
+  ask_git(changes status --porcelain --untracked-files=no -- . ":(exclude)cases/*/measured")
   set(commit ${head})
   if(changes)
     string(APPEND commit "+")

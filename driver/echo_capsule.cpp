@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "driver/case_programs.hpp"
 #include "driver/stability.hpp"
 
@@ -32,6 +34,7 @@ void put_viscous_part(EchoTable& table, const Subject& subject, const std::strin
     return;
   }
   const double g = subject.parameters.shear_rate, tau = viscosity / spring;
+  const double limit = stable_interval_times_spring(subject.parameters.kinematic_viscosity);
   table.row("Bq_" + part, number(boussinesq), "", fmt::format("mu_{}/(mu_o a)", part));
   table.row("mu_" + part, number(viscosity), in_si(subject, viscosity, newton_second_per_metre, "N s/m"),
             fmt::format("Bq_{} mu_o a", part));
@@ -41,8 +44,14 @@ void put_viscous_part(EchoTable& table, const Subject& subject, const std::strin
   table.row(fmt::format("k_{}'", part), number(spring), in_si(subject, spring, newton_per_metre, "N/m"),
             fmt::format("kappa_{0} g mu_{0}/2", part));
   table.row(fmt::format("N k_{}'", part), number(interval * spring), "",
-            fmt::format("breaks down from about {:.3g} = 45 mu_o on",
-                        stable_interval_times_spring(subject.parameters.kinematic_viscosity)));
+            fmt::format("stable up to {:.3g} = 45 mu_o", limit));
+  table.row(fmt::format("largest kappa_{}", part),
+            fmt::format("{:.4g}", 2 * limit / (interval * viscosity * g)), "",
+            fmt::format("that is stable at N = {}", interval));
+  table.row("largest N", fmt::format("{:.0f}", std::floor(limit / spring)), "",
+            fmt::format("that is stable with this k_{}'{}", part, spring > limit ? ": none" : ""));
+  table.row(fmt::format("tau_{}", part), number(tau), in_si(subject, tau, second, "s"),
+            fmt::format("mu_{0}/k_{0}'; the element relaxes in twice that", part));
   table.row(fmt::format("tau_{} g", part), number(tau * g), "", fmt::format("g mu_{0}/k_{0}'", part));
 }
 

@@ -73,7 +73,7 @@ void check_output_directory(const std::filesystem::path& directory, bool force) 
 
 void remove_earlier_run(const std::filesystem::path& directory) {
   // echo.toml last: until it goes, the directory is known for what it is.
-  for (const char* name : {"checkpoints", "fluid", "fluid.pvd", "membrane", "membrane.pvd", "deformation.png",
+  for (const char* name : {"checkpoints", "packets", "fluid", "fluid.pvd", "membrane", "membrane.pvd", "deformation.png",
                            "inclination.png", "capsule.png", "observables.csv", "parameters.toml", "echo.toml"}) {
     std::filesystem::remove_all(directory / name);
   }

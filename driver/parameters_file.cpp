@@ -1,6 +1,7 @@
 #include "driver/parameters_file.hpp"
 
 #include <fmt/format.h>
+#include <toml++/toml.h>
 
 #include "driver/case_value.hpp"
 #include "driver/version.hpp"
@@ -64,12 +65,25 @@ void put_capsule(std::string& toml, const CapsuleParameters& capsule, double out
 
 }  // namespace
 
-std::string parameters_toml(const Parameters& parameters) {
+std::string commits_with(const std::filesystem::path& file) {
+  std::string before = "unknown";
+  try {
+    before = toml::parse_file(file.string())["commit"].value_or(before);
+  } catch (const toml::parse_error&) {
+    // A run of before there was such a file, or one that a user has changed: no reason not to go on with it.
+  }
+  const auto comma = before.rfind(", ");
+  const auto last = comma == std::string::npos ? before : before.substr(comma + 2);
+  return last == commit ? before : before + ", " + commit;
+}
+
+std::string parameters_toml(const Parameters& parameters, const std::string& commits) {
   std::string toml =
       "# Written by tanktread: what follows from echo.toml, in lattice units (grid step = time step = "
       "density = 1).\n";
   put(toml, "program", std::string("tanktread ") + version, "that made this run");
-  put(toml, "commit", std::string(commit), "that the program was built from");
+  put(toml, "commit", commits,
+      "that the program was built from; several: of those that went on with the run");
   put_flow(toml, parameters);
   for (const auto& capsule : parameters.capsules) put_capsule(toml, capsule, parameters.kinematic_viscosity);
   return toml;

@@ -12,15 +12,18 @@
 #include "driver/signals.hpp"
 #include "driver/stages/file_passage.hpp"
 #include "driver/step.hpp"
+#include "driver/version.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
 namespace {
 
-/// The case and what follows from it.
 void write_echo(const Plan& plan, const std::filesystem::path& directory) {
   exchange::write_text(directory / "echo.toml", to_toml(plan.the_case));
-  exchange::write_text(directory / "parameters.toml", parameters_toml(plan.parameters));
+}
+
+void write_parameters(const Plan& plan, const std::filesystem::path& directory, const std::string& commits) {
+  exchange::write_text(directory / "parameters.toml", parameters_toml(plan.parameters, commits));
 }
 
 /// The last lines of a run: where it ended, how fast it was, which component took how much.
@@ -36,7 +39,10 @@ void print_closing(const System& system, const Progress& progress, const std::fi
              progress.mlups(system.step), directory.string());
 }
 
-[[noreturn]] void stop_broken(const std::exception& error, const std::filesystem::path& directory) {
+/// Ends the progress line, and the run with an error that names its last good state.
+[[noreturn]] void stop_broken(const std::exception& error, const System& system, Progress& progress,
+                              const std::filesystem::path& directory) {
+  progress.finish(system.step);
   const auto folders = checkpoint_folders(directory);
   throw RunError(fmt::format("{}\nlast good state: {}", error.what(),
                              folders.empty() ? "none was written" : folders.back().string()));
@@ -110,11 +116,11 @@ int run_on(System& system, Passage& passage, const Plan& plan, Output& output,
       passage.stopped(system);
     }
   } catch (const RunError& error) {
-    progress.finish(system.step);
-    stop_broken(error, directory);
+    stop_broken(error, system, progress, directory);
   } catch (const exchange::FileError& error) {
-    progress.finish(system.step);
-    stop_broken(error, directory);
+    stop_broken(error, system, progress, directory);
+  } catch (const std::filesystem::filesystem_error& error) {
+    stop_broken(error, system, progress, directory);
   }
   progress.finish(system.step);
   print_closing(system, progress, directory);
@@ -166,6 +172,7 @@ int run_new(const Plan& plan, const RunOptions& options) {
   if (options.force) remove_earlier_run(options.output);
   remove_temporary_files(options.output);
   write_echo(plan, options.output);
+  write_parameters(plan, options.output, commit);
   Output output(plan.the_case, plan.parameters, options.output);
   output.begin();
   output.write(system, false);
@@ -200,6 +207,7 @@ int run_resumed(const std::filesystem::path& directory, std::optional<double> sh
   make_record_directory(packets);
   remove_temporary_files(directory);
   if (shear_time || threads) write_echo(plan, directory);
+  write_parameters(plan, directory, commits_with(directory / "parameters.toml"));
   Output output(plan.the_case, plan.parameters, directory);
   output.resume(checkpoint.step);
   const auto passage = make_passage(packets, plan, checkpoint.step, directory);

@@ -65,6 +65,12 @@ std::string refuse_unless_law_takes(const std::string& parameter, const Case& th
                      fmt::join(takers, ", "));
 }
 
+/// The meaning of a parameter, and the laws that take it (none are known without the membrane component).
+std::string with_laws(const std::string& meaning, const std::string& parameter) {
+  const auto takers = elastic_laws_with(parameter);
+  return takers.empty() ? meaning : fmt::format("{}, {} only", meaning, fmt::join(takers, " and "));
+}
+
 std::string refuse_area_ratio(const Case& the_case, std::size_t capsule) {
   return refuse_unless_law_takes("area_ratio", the_case, capsule);
 }
@@ -214,10 +220,10 @@ std::vector<Key> membrane_keys(const std::string& prefix) {
           .one_of({"E_s", "G_s", "gamma"})
           .preset("by the law")
           .unless(refuse_beside_si),
-      key<InMembrane<&M::area_ratio>>(prefix + "area_ratio", "", "C = E_a/E_s, skalak only")
+      key<InMembrane<&M::area_ratio>>(prefix + "area_ratio", "", with_laws("C = E_a/E_s", "area_ratio"))
           .from(0)
           .unless(refuse_area_ratio),
-      key<InMembrane<&M::poisson_ratio>>(prefix + "poisson_ratio", "", "nu_s, hookean only")
+      key<InMembrane<&M::poisson_ratio>>(prefix + "poisson_ratio", "", with_laws("nu_s", "poisson_ratio"))
           .above(-1)
           .below(1)
           .unless(refuse_poisson_ratio),

@@ -102,12 +102,13 @@ std::array<ViscousPart, 2> parts_of(const membrane::ViscousParameters& viscous) 
            {"d", "_dilatational", viscous.dilatational_viscosity, viscous.dilatational_spring}}};
 }
 
-/// A spring relaxes within tau = mu/k'; the schemes follow it as long as the interval is not longer.
+/// An element relaxes within 2 tau, tau = mu/k'; an interval of half of that is the longest that a scheme
+/// follows well.
 void warn_of_interval(Lines& lines, std::size_t number, int interval, const ViscousPart& part) {
   if (interval * part.spring <= part.viscosity) return;
   lines.push_back(
-      fmt::format("capsule {}: the interval of {} steps is longer than the relaxation time tau_{} = {:.3g} "
-                  "steps of the spring; lower membrane.viscous.interval or the spring's stiffness",
+      fmt::format("capsule {}: the interval of {} steps is longer than tau_{} = {:.3g} steps, half the "
+                  "relaxation time of the element; lower membrane.viscous.interval or the spring's stiffness",
                   number, interval, part.letter, part.viscosity / part.spring));
 }
 
@@ -117,7 +118,8 @@ void warn_of_stability(Lines& lines, std::size_t number, int interval, const Vis
   if (interval * part.spring <= limit) return;
   const double ratio = limit / (interval * part.spring);
   lines.push_back(fmt::format(
-      "capsule {}: N k_{}' = {:.3g} is over {:.3g} = 45 mu_o, from where on runs break down: divide the "
+      "capsule {}: N k_{}' = {:.3g} is over {:.3g} = 45 mu_o, beyond which runs break down or may: divide "
+      "the "
       "stiffness of the spring (membrane.viscous.spring_...{}), the interval, or the speed of the flow by "
       "{:.3g}",
       number, part.letter, interval * part.spring, limit, part.suffix, 1 / ratio));

@@ -39,6 +39,20 @@ TEST_F(BrokenRun, BreakdownStopsWithTheLastGoodState) {
                     HasSubstr("last good state: "), HasSubstr("checkpoints/step_")));
 }
 
+TEST_F(BrokenRun, SaysWhichProgramsMadeIt) {
+  ASSERT_EQ(run_program(run_to("out", {"--shear-time", "0.1"})).exit_code, 0);
+  const auto file = directory_ / "out/parameters.toml";
+  const auto before = read_file(file);
+  const auto at = before.find("commit = \"") + 10;
+  const auto commit = before.substr(at, before.find('"', at) - at);
+  std::string by_another = before;
+  by_another.replace(at, commit.size(), "0123456789");
+  std::ofstream(file) << by_another;
+  ASSERT_EQ(run_program({"run", "--resume", (directory_ / "out").string(), "--shear-time", "0.2"}).exit_code,
+            0);
+  EXPECT_THAT(read_file(file), HasSubstr("commit = \"0123456789, " + commit));
+}
+
 TEST_F(BrokenRun, LeavesNothingOfAKilledProcessBehind) {
   ASSERT_EQ(run_program(run_to("whole", {"--shear-time", "0.4"})).exit_code, 0);
   ASSERT_EQ(run_program(run_to("cut", {"--shear-time", "0.2"})).exit_code, 0);

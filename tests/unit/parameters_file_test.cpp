@@ -1,6 +1,12 @@
 // parameters.toml as another program reads it.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <toml++/toml.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
 
 #include "driver/parameters_file.hpp"
 #include "driver/version.hpp"
@@ -12,7 +18,7 @@ using namespace tanktread::driver;
 using namespace tanktread::testing;
 
 toml::table read_back(const Parameters& parameters) {
-  return toml::parse(parameters_toml(parameters));
+  return toml::parse(parameters_toml(parameters, commit));
 }
 
 /// Written digits read back to the same double.
@@ -62,6 +68,22 @@ TEST(ParametersFile, LeavesOutWhatACapsuleDoesNotHave) {
 
 TEST(ParametersFile, HasACapsuleForEachOfTheCase) {
   EXPECT_EQ(read_back(parameters(parse(full_case)))["capsule"].as_array()->size(), 2u);
+}
+
+TEST(ParametersFile, NamesTheCommitsOfAllProgramsThatMadeARun) {
+  const auto file = std::filesystem::temp_directory_path() / fmt::format("parameters-{}.toml", ::getpid());
+  const std::string ours = commit;
+  std::filesystem::remove(file);
+  EXPECT_EQ(commits_with(file), "unknown, " + ours);
+  for (const auto& [before, after] :
+       std::map<std::string, std::string>{{ours, ours},
+                                          {"12ab", "12ab, " + ours},
+                                          {"12ab, " + ours, "12ab, " + ours},
+                                          {ours + ", 12ab", ours + ", 12ab, " + ours}}) {
+    std::ofstream(file) << "commit = \"" << before << "\"\n";
+    EXPECT_EQ(commits_with(file), after);
+  }
+  std::filesystem::remove(file);
 }
 
 }  // namespace
