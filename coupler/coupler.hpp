@@ -55,13 +55,16 @@ class Coupler {
  public:
   /// @param threads OpenMP threads, 0: all
   /// @throws std::invalid_argument if an axis has fewer nodes than the kernel is wide, threads is negative,
-  /// or the kernel's half-width is not above 1/2 and at most 3
+  /// the kernel's function is null, or its half-width is not above 1/2 and at most 3
   Coupler(const Grid& grid, const Kernel& kernel, int threads = 0);
   ~Coupler();
 
-  /// Builds the stencils of all surfaces at the positions given (one span of 3 n numbers a surface).
+  /// Builds the stencils of all surfaces at the positions given (one span of 3 n numbers a surface). Whatever
+  /// it throws, the old stencils stay.
   /// @throws StencilError if a stencil reaches beyond a wall with a weight other than 0, or a position is not
-  /// finite or more than 2^30 grid steps from the origin; the first such node is named; the old stencils stay
+  /// finite or more than 2^30 grid steps from the origin; the first such node is named
+  /// @throws std::invalid_argument if the size of a span is no multiple of 3
+  /// @throws std::length_error if the stencils touch more than 2^31 - 1 grid nodes
   void build(std::span<const std::span<const double>> surfaces);
 
   /// Linear indices of the grid nodes that the stencils touch, each once, ascending: the order of all grid

@@ -40,7 +40,7 @@ class StencilBuilder {
   StencilBuilder& operator=(const StencilBuilder&) = delete;
 
   /// Fills `stencils` anew; its memory is used again. After a throw it holds nothing of use.
-  /// @throws StencilError, std::invalid_argument (a span that has not 3 numbers a node)
+  /// @throws StencilError, std::invalid_argument, std::length_error: as Coupler::build()
   void build(std::span<const std::span<const double>> surfaces, Stencils& stencils);
 
   /// The share that owns the grid plane z: the only one that writes to it.

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <charconv>
+#include <cstring>
 #include <fstream>
 #include <set>
 
@@ -79,7 +81,8 @@ std::vector<Observation> Output::write(const System& system, bool last) {
   std::ofstream table(directory_ / "observables.csv", std::ios::app);
   for (const auto& observation : observations) table << observables_row(observation);
   if (!table.flush()) {
-    throw exchange::FileError((directory_ / "observables.csv").string() + ": cannot be written");
+    throw exchange::FileError(fmt::format("{}: cannot be written: {}",
+                                          (directory_ / "observables.csv").string(), std::strerror(errno)));
   }
   return observations;
 }

@@ -50,6 +50,14 @@ DirectoryLock::~DirectoryLock() {
   close(descriptor_);
 }
 
+void require_new_directory(const std::string& option, const std::filesystem::path& directory) {
+  if (!std::filesystem::exists(directory)) return;
+  const bool is_directory = std::filesystem::is_directory(directory);
+  if (is_directory && !holds_anything(directory)) return;
+  throw InputError(fmt::format("{} {}: {}; give a new or an empty directory", option, directory.string(),
+                               is_directory ? "holds something already" : "is no directory"));
+}
+
 void check_output_directory(const std::filesystem::path& directory, bool force) {
   if (!std::filesystem::exists(directory)) return;
   if (!std::filesystem::is_directory(directory)) {
@@ -73,8 +81,9 @@ void check_output_directory(const std::filesystem::path& directory, bool force) 
 
 void remove_earlier_run(const std::filesystem::path& directory) {
   // echo.toml last: until it goes, the directory is known for what it is.
-  for (const char* name : {"checkpoints", "packets", "fluid", "fluid.pvd", "membrane", "membrane.pvd", "deformation.png",
-                           "inclination.png", "capsule.png", "observables.csv", "parameters.toml", "echo.toml"}) {
+  for (const char* name :
+       {"checkpoints", "packets", "fluid", "fluid.pvd", "membrane", "membrane.pvd", "deformation.png",
+        "inclination.png", "capsule.png", "observables.csv", "parameters.toml", "echo.toml"}) {
     std::filesystem::remove_all(directory / name);
   }
 }

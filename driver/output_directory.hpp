@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace tanktread::driver {
 
@@ -18,6 +19,10 @@ class DirectoryLock {
  private:
   int descriptor_;
 };
+
+/// Refuses what is no directory, and a directory that holds anything. @param option that named it, for the
+/// message: "--record" @throws InputError
+void require_new_directory(const std::string& option, const std::filesystem::path& directory);
 
 /// Refuses a directory that holds anything, unless `force` is set and it is an earlier run. Writes nothing.
 /// @throws InputError

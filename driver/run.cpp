@@ -62,14 +62,7 @@ RecordedSteps recorded_steps(const PacketOptions& packets, std::int64_t first_st
 void check_packets(const PacketOptions& packets, std::int64_t first_step, std::int64_t last_step) {
   if (packets.record.empty()) return;
   recorded_steps(packets, first_step, last_step);
-  const bool is_there = std::filesystem::exists(packets.record);
-  if (is_there && !std::filesystem::is_directory(packets.record)) {
-    throw InputError(fmt::format("--record {}: is no directory; give another name", packets.record.string()));
-  }
-  if (is_there && !std::filesystem::is_empty(packets.record)) {
-    throw InputError(fmt::format("--record {}: holds something already; give another directory or remove it",
-                                 packets.record.string()));
-  }
+  require_new_directory("--record", packets.record);
 }
 
 /// Before an earlier run is removed: the record may not be possible. @throws InputError

@@ -8,10 +8,6 @@
 namespace tanktread::fluid {
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) {
-  throw std::invalid_argument("lattice Boltzmann: " + what);
-}
-
 std::span<const double> checked(const StateArray& array, int components, std::int64_t n_nodes) {
   if (array.components != components ||
       static_cast<std::int64_t>(array.values.size()) != components * n_nodes) {
@@ -23,6 +19,10 @@ std::span<const double> checked(const StateArray& array, int components, std::in
 }
 
 }  // namespace
+
+void refuse(const std::string& what) {
+  throw std::invalid_argument("lattice Boltzmann: " + what);
+}
 
 void check_size(const std::string& what, std::size_t size, std::int64_t needed) {
   if (static_cast<std::int64_t>(size) != needed) {

@@ -1,5 +1,5 @@
 // Checks of what comes in over the border, shared by the fast and the plain solver. Internal to fluid/.
-// Each throws std::invalid_argument with the name, what came and what is needed.
+// Each check throws std::invalid_argument with the name, what came and what is needed.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,9 @@
 #include "fluid/fluid.hpp"
 
 namespace tanktread::fluid {
+
+/// Throws std::invalid_argument with `what` after the name of the component.
+[[noreturn]] void refuse(const std::string& what);
 
 /// `what` has this many numbers.
 void check_size(const std::string& what, std::size_t size, std::int64_t needed);

@@ -1,3 +1,5 @@
+#include "fluid/developed_flow.hpp"
+
 #include "fluid/d3q19.hpp"
 #include "fluid/settings.hpp"
 

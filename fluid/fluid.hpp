@@ -35,7 +35,8 @@ struct State {
   std::vector<StateArray> arrays;  ///< the solver's own arrays, the last grid force among them
 };
 
-/// The flow went wrong (NaN, or a speed over the limit). The message says what, where and at which step.
+/// The flow went wrong (NaN, or a speed at or over the limit). The message says what, where and at which
+/// step.
 class Breakdown : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -72,13 +73,14 @@ class Fluid {
   /// The added force of every node (3 size() numbers, component fastest), without the uniform body force.
   virtual std::span<const double> force() const = 0;
 
-  /// Sets the kinematic viscosity of every node: size() numbers, each positive.
-  /// @throws std::invalid_argument naming the node whose viscosity is not
+  /// Sets the kinematic viscosity of every node: size() numbers, each positive and finite.
+  /// @throws std::invalid_argument if their number is another, or naming the first node whose viscosity is
+  /// not positive and finite
   virtual void set_viscosity(std::span<const double> kinematic_viscosity) = 0;
 
   /// Goes on by one time step with the present force. @return the highest speed met.
-  /// @throws Breakdown if a velocity is not finite or exceeds the solver's limit; the state is then of no
-  /// use.
+  /// @throws Breakdown if a velocity is not finite or a speed is at or over the solver's limit; the state is
+  /// then of no use
   virtual double step() = 0;
 
   /// The whole state, for a checkpoint or another program.

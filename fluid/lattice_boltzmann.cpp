@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include "fluid/border_checks.hpp"
 #include "fluid/collision.hpp"
+#include "fluid/developed_flow.hpp"
 #include "fluid/end_pack.hpp"
 #include "fluid/force_field.hpp"
+#include "fluid/node_moments.hpp"
 #include "fluid/node_rates.hpp"
 #include "fluid/population_lattice.hpp"
 #include "fluid/settings.hpp"
@@ -30,7 +31,7 @@ class LatticeBoltzmann final : public Fluid {
         force_(settings.shape, settings.body_force) {
     for_each_row([&](int y, int z) {
       for (int x = 0; x < shape().nx; ++x)
-        put_outgoing(x, y, z, start_populations(settings_, x, y, z).data());
+        lattice_.put_outgoing(last_turn(), x, y, z, start_populations(settings_, x, y, z).data());
     });
   }
 
@@ -41,10 +42,10 @@ class LatticeBoltzmann final : public Fluid {
     const std::int64_t n = static_cast<std::int64_t>(nodes.size());
 #pragma omp parallel num_threads(n_threads_)
     {
-      RowCursor cursor;
+      MomentReader reader = moment_reader();
 #pragma omp for schedule(static)
       for (std::int64_t k = 0; k < n; ++k) {
-        const auto moments = node_moments(nodes[k], cursor);
+        const auto moments = reader.at(nodes[k]);
         std::copy_n(moments.velocity.data(), 3, &velocity[3 * k]);
       }
     }
@@ -56,10 +57,10 @@ class LatticeBoltzmann final : public Fluid {
     check_size("moments(): velocity", velocity.size(), 3 * n);
 #pragma omp parallel num_threads(n_threads_)
     {
-      RowCursor cursor;
+      MomentReader reader = moment_reader();
 #pragma omp for schedule(static)
       for (std::int64_t node = 0; node < n; ++node) {
-        const auto at_node = node_moments(node, cursor);
+        const auto at_node = reader.at(node);
         density[node] = at_node.density;
         std::copy_n(at_node.velocity.data(), 3, &velocity[3 * node]);
       }
@@ -100,7 +101,7 @@ class LatticeBoltzmann final : public Fluid {
     auto& values = state.arrays[0].values;
     for_each_row([&](int y, int z) {
       for (int x = 0; x < shape().nx; ++x)
-        get_outgoing(x, y, z, &values[n_directions * shape().index(x, y, z)]);
+        lattice_.get_outgoing(last_turn(), x, y, z, &values[n_directions * shape().index(x, y, z)]);
     });
     return state;
   }
@@ -112,33 +113,12 @@ class LatticeBoltzmann final : public Fluid {
     rates_.set_viscosity(arrays.viscosity);
     for_each_row([&](int y, int z) {
       for (int x = 0; x < shape().nx; ++x)
-        put_outgoing(x, y, z, &arrays.populations[n_directions * shape().index(x, y, z)]);
+        lattice_.put_outgoing(last_turn(), x, y, z,
+                              &arrays.populations[n_directions * shape().index(x, y, z)]);
     });
   }
 
  private:
-  struct NodeMoments {
-    double density;
-    std::array<double, 3> velocity;
-  };
-
-  /// The row whose slots were looked up last: nodes that follow each other in a row share them.
-  struct RowCursor {
-    std::int64_t begin =
-        std::numeric_limits<std::int32_t>::min();  ///< its first node; at first that of no row
-    int y = 0, z = 0;
-    RowSlots slots{};  ///< of the last turn, right away from the ends of the row
-  };
-
-  void move_to_row(RowCursor& cursor, std::int64_t row) const {
-    const int ny = settings_.shape.ny;
-    cursor.begin = row * settings_.shape.nx;
-    cursor.y = static_cast<int>(row % ny);
-    cursor.z = static_cast<int>(row / ny);
-    for (int i = 0; i < n_directions; ++i)
-      cursor.slots[i] = lattice_.row_slot(last_turn(), i, cursor.y, cursor.z);
-  }
-
   Turn next_turn() const {
     return step_ % 2 == 0 ? Turn::streaming : Turn::local;
   }
@@ -155,39 +135,8 @@ class LatticeBoltzmann final : public Fluid {
       body(static_cast<int>(row % ny), static_cast<int>(row / ny));
   }
 
-  /// The outgoing population i lies where the last step wrote it: in the slot of its opposite.
-  void get_outgoing(int x, int y, int z, double* populations) const {
-    for (int i = 0; i < n_directions; ++i)
-      populations[i] = *lattice_.slot(last_turn(), d3q19::opposite(i), x, y, z);
-  }
-  void put_outgoing(int x, int y, int z, const double* populations) {
-    for (int i = 0; i < n_directions; ++i)
-      *lattice_.slot(last_turn(), d3q19::opposite(i), x, y, z) = populations[i];
-  }
-
-  /// A collision adds the force F to the momentum sum f c, so that with outgoing populations u = (sum f c -
-  /// F/2)/rho.
-  NodeMoments node_moments(std::int64_t node, RowCursor& cursor) const {
-    const auto n_row = std::int64_t{settings_.shape.nx};
-    if (node < cursor.begin || node >= cursor.begin + n_row) move_to_row(cursor, node / n_row);
-    const std::int64_t x = node - cursor.begin;
-    double f[n_directions];
-    if (x > 0 && x < n_row - 1) {
-      for (int i = 0; i < n_directions; ++i) f[i] = cursor.slots[d3q19::opposite(i)][x];
-    } else {
-      get_outgoing(static_cast<int>(x), cursor.y, cursor.z, f);
-    }
-    double density_change = f[0];
-    for (int i = 1; i < n_directions; ++i) density_change += f[i];
-    NodeMoments moments{1.0 + density_change, {}};
-    const auto force = force_.total(node);
-    for (int component = 0; component < 3; ++component) {
-      double momentum = 0.0;
-      for (int i = 1; i < n_directions; i += 2) momentum += d3q19::velocity[i][component] * (f[i] - f[i + 1]);
-      momentum -= 0.5 * force[component];
-      moments.velocity[component] = settings_.inertia ? momentum / moments.density : momentum;
-    }
-    return moments;
+  MomentReader moment_reader() const {
+    return {lattice_, force_, last_turn(), settings_.inertia};
   }
 
   template <bool inertia>
@@ -277,9 +226,9 @@ class LatticeBoltzmann final : public Fluid {
     const int y = static_cast<int>(row % ny), z = static_cast<int>(row / ny);
     std::ostringstream message;
     message << "step " << step_ << ": ";
-    RowCursor cursor;
+    MomentReader reader = moment_reader();
     for (int x = 0; x < settings_.shape.nx; ++x) {
-      const auto moments = node_moments(settings_.shape.index(x, y, z), cursor);
+      const auto moments = reader.at(settings_.shape.index(x, y, z));
       const auto& u = moments.velocity;
       const double speed = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
       if (speed < settings_.speed_limit) continue;

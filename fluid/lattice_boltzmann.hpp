@@ -33,7 +33,7 @@ struct LatticeBoltzmannSettings {
   bool inertia = true;  ///< false drops the quadratic terms of equilibrium and force (Stokes)
   std::array<double, 3> body_force = {0, 0, 0};  ///< uniform, on each node
   Start start = Start::rest;
-  double speed_limit = 0.3;  ///< a higher speed is a Breakdown
+  double speed_limit = 0.3;  ///< a speed at or over it is a Breakdown
   int threads = 0;  ///< 0: as many as OpenMP offers. The result does not depend on it, to the last bit.
 };
 

@@ -5,6 +5,7 @@
 
 #include "fluid/border_checks.hpp"
 #include "fluid/d3q19.hpp"
+#include "fluid/developed_flow.hpp"
 #include "fluid/settings.hpp"
 
 namespace tanktread::fluid {

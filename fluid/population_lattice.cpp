@@ -54,4 +54,12 @@ double* PopulationLattice::slot(Turn turn, int direction, int x, int y, int z) c
          wrapped(x - c[0], shape_.nx);
 }
 
+void PopulationLattice::get_outgoing(Turn last, int x, int y, int z, double* populations) const {
+  for (int i = 0; i < d3q19::n_directions; ++i) populations[i] = *slot(last, d3q19::opposite(i), x, y, z);
+}
+
+void PopulationLattice::put_outgoing(Turn last, int x, int y, int z, const double* populations) {
+  for (int i = 0; i < d3q19::n_directions; ++i) *slot(last, d3q19::opposite(i), x, y, z) = populations[i];
+}
+
 }  // namespace tanktread::fluid

@@ -13,9 +13,9 @@
 
 namespace tanktread::fluid {
 
-/// The two kinds of step that follow each other in turn. "Slot (i, node)" is the place from which a step
-/// takes the population that comes in along direction i, and to which it writes the one that goes out along
-/// the opposite of i:
+/// The two kinds of step that follow each other in turn, the even (local) and the odd (streaming) steps of
+/// the AA pattern (Bailey et al. 2009). "Slot (i, node)" is the place from which a step takes the population
+/// that comes in along direction i, and to which it writes the one that goes out along the opposite of i:
 ///   local:     slot (i, x) = f[i](x): the step before has brought every population to its node
 ///   streaming: slot (i, x) = f[opposite i](x - c_i): fetched from the neighbour, brought to the other
 ///   neighbour
@@ -41,12 +41,17 @@ class PopulationLattice {
   /// Address of slot (i, x, y, z) for any node.
   double* slot(Turn turn, int direction, int x, int y, int z) const;
 
+  /// The 19 populations that went out of a node in the last step, which was of this kind: population i lies
+  /// where that step wrote it, in the slot of its opposite.
+  void get_outgoing(Turn last, int x, int y, int z, double* populations) const;
+  void put_outgoing(Turn last, int x, int y, int z, const double* populations);
+
   /// Direction i at this node comes in through a wall.
   bool from_wall(int direction, int x, int y, int z) const;
 
-  /// What a moving wall adds to the population that comes back along direction i: 2 w_i rho c_i.u_wall/cs2
-  /// with the reference density (for a velocity in the wall's plane this keeps mass to the last digit). 0
-  /// without a wall there.
+  /// What a moving wall adds to the population that comes back along direction i, the wall-momentum term of
+  /// half-way bounce-back (Ladd 1994): 2 w_i rho c_i.u_wall/cs2 with the reference density (for a velocity in
+  /// the wall's plane this keeps mass to the last digit). 0 without a wall there.
   double wall_gain(int direction) const { return wall_gain_[direction]; }
 
   const std::optional<WallPair>& walls() const { return walls_; }

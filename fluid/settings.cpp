@@ -3,12 +3,10 @@
 #include <cmath>
 #include <sstream>
 
+#include "fluid/border_checks.hpp"
+
 namespace tanktread::fluid {
 namespace {
-
-[[noreturn]] void refuse(const std::string& what) {
-  throw std::invalid_argument("lattice Boltzmann: " + what);
-}
 
 void require(bool fine, const std::string& setting, double value, const std::string& allowed) {
   if (fine) return;

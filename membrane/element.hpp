@@ -21,6 +21,14 @@ struct ReferenceElement {
   double area;                                 ///< A0
 };
 
+/// Corners of a triangle as columns. @param points 3 x n_nodes @param nodes its three node indices
+template <class Points>
+Eigen::Matrix3d corners_of(const Points& points, const Eigen::Vector3i& nodes) {
+  Eigen::Matrix3d corners;
+  for (int corner = 0; corner < 3; ++corner) corners.col(corner) = points.col(nodes[corner]);
+  return corners;
+}
+
 /// Corners as columns. The area must not be zero.
 inline ReferenceElement reference_element(const Eigen::Matrix3d& corners) {
   const Eigen::Vector3d edge1 = corners.col(1) - corners.col(0), edge2 = corners.col(2) - corners.col(0);

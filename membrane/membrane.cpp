@@ -54,12 +54,7 @@ struct Membrane::Implementation {
   Eigen::Index n_elements() const { return reference.triangles.cols(); }
   Eigen::Index n_blocks() const { return (n_elements() + block_size - 1) / block_size; }
 
-  Eigen::Matrix3d corners(Eigen::Index t) const {
-    Eigen::Matrix3d result;
-    for (int corner = 0; corner < 3; ++corner)
-      result.col(corner) = positions.col(reference.triangles(corner, t));
-    return result;
-  }
+  Eigen::Matrix3d corners(Eigen::Index t) const { return corners_of(positions, reference.triangles.col(t)); }
 
   /// Strain of the elements of block `number`, and what the law answers to it.
   ElementBlock evaluated(Eigen::Index number) const {
@@ -114,6 +109,22 @@ struct Membrane::Implementation {
     return bad;
   }
 
+  /// Adds into each node's force what write_corner_forces(block) has written to its corners in
+  /// `corner_forces`.
+  template <class WriteCornerForces>
+  void gather(const WriteCornerForces& write_corner_forces, const Eigen::Matrix3Xd& corner_forces,
+              Eigen::Ref<Eigen::Matrix3Xd> force) const {
+#pragma omp parallel num_threads(n_threads)
+    {
+#pragma omp for schedule(static)
+      for (Eigen::Index block = 0; block < n_blocks(); ++block) write_corner_forces(block);
+#pragma omp for schedule(static)
+      for (Eigen::Index node = 0; node < force.cols(); ++node) {
+        force.col(node) += corners_of_node.sum(corner_forces, node);
+      }
+    }
+  }
+
   void require_column_per_node(const std::string& what, Eigen::Index n_columns) const {
     if (n_columns != positions.cols()) {
       throw std::invalid_argument("membrane: " + what + " has " + std::to_string(n_columns) +
@@ -154,6 +165,10 @@ Membrane::Membrane(TriangleMesh reference, std::shared_ptr<const ElasticLaw> law
   for (const auto& defect : defects(inspect(reference))) message += (message.empty() ? "" : "; ") + defect;
   if (!message.empty()) throw std::invalid_argument("membrane mesh: " + message);
   if (!law) throw std::invalid_argument("membrane: an elastic law is needed");
+  if (threads < 0) {
+    throw std::invalid_argument("membrane: threads = " + std::to_string(threads) +
+                                "; 0 (all) or more is needed");
+  }
   implementation_ =
       std::make_unique<Implementation>(std::move(reference), std::move(law), std::move(viscous), threads);
 }
@@ -190,17 +205,8 @@ void Membrane::add_forces(Eigen::Ref<Eigen::Matrix3Xd> force) {
   self.require_column_per_node("the force array", force.cols());
   self.check_elements();
   if (self.viscous) self.viscous->begin_step();
-#pragma omp parallel num_threads(self.n_threads)
-  {
-#pragma omp for schedule(static)
-    for (Eigen::Index block = 0; block < self.n_blocks(); ++block) {
-      self.next_corner_forces(block, self.corner_force);
-    }
-#pragma omp for schedule(static)
-    for (Eigen::Index node = 0; node < force.cols(); ++node) {
-      force.col(node) += self.corners_of_node.sum(self.corner_force, node);
-    }
-  }
+  self.gather([&](Eigen::Index block) { self.next_corner_forces(block, self.corner_force); },
+              self.corner_force, force);
 }
 
 void Membrane::check_elements() {
@@ -211,17 +217,8 @@ void Membrane::add_elastic_forces(Eigen::Ref<Eigen::Matrix3Xd> force) const {
   const auto& self = *implementation_;
   self.require_column_per_node("the force array", force.cols());
   Eigen::Matrix3Xd corner_force(3, 3 * n_triangles());
-#pragma omp parallel num_threads(self.n_threads)
-  {
-#pragma omp for schedule(static)
-    for (Eigen::Index block = 0; block < self.n_blocks(); ++block) {
-      self.elastic_corner_forces(block, corner_force);
-    }
-#pragma omp for schedule(static)
-    for (Eigen::Index node = 0; node < force.cols(); ++node) {
-      force.col(node) += self.corners_of_node.sum(corner_force, node);
-    }
-  }
+  self.gather([&](Eigen::Index block) { self.elastic_corner_forces(block, corner_force); }, corner_force,
+              force);
 }
 
 double Membrane::elastic_energy() const {

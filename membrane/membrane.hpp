@@ -33,8 +33,10 @@ struct ElementFields {
 class Membrane {
  public:
   /// @param reference the stress-free shape; its points are also the first positions
+  /// @param law must not be null
   /// @param threads OpenMP threads, 0: all; no result depends on it, to the last bit
-  /// @throws std::invalid_argument if defects(inspect(reference)) is not empty
+  /// @throws std::invalid_argument if the mesh has no triangle, a triangle names a node that does not exist
+  /// or a point is not finite (inspect()), if it has defects(), if the law is null, or threads is negative
   Membrane(TriangleMesh reference, std::shared_ptr<const ElasticLaw> law, int threads = 0);
 
   /// The same with membrane viscosity. @param viscous may be empty: none
@@ -46,7 +48,7 @@ class Membrane {
 
   int n_nodes() const;
   int n_triangles() const;
-  const TriangleMesh& reference() const;
+  const TriangleMesh& reference() const;  ///< the stress-free shape
   const ElasticLaw& elastic_law() const;
   const ViscousLaw* viscous_law() const;  ///< owned by the membrane; null: none
 
@@ -74,6 +76,8 @@ class Membrane {
   /// Sum over elements of A0 W.
   double elastic_energy() const;
 
+  /// Stretches, stresses and area ratio of every element at the present positions, for output. The viscous
+  /// stress is that of the last update (kept in the frame that turns with the element). It checks no element.
   ElementFields element_fields() const;
 
   /// Everything beyond positions that a restart needs, one flat array: the 3 n_triangles components of the

@@ -1,6 +1,5 @@
 #include "membrane/mesh.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "membrane/element.hpp"
 #include "membrane/shape.hpp"
 
 namespace tanktread::membrane {
@@ -154,9 +154,7 @@ MeshReport inspect(const TriangleMesh& mesh) {
 
   std::vector<char> used(mesh.points.cols(), 0);
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const Eigen::Vector3d a = mesh.points.col(mesh.triangles(0, t));
-    const Eigen::Vector3d normal =
-        (mesh.points.col(mesh.triangles(1, t)) - a).cross(mesh.points.col(mesh.triangles(2, t)) - a);
+    const Eigen::Vector3d normal = area_normal(corners_of(mesh.points, mesh.triangles.col(t)));
     if (0.5 * normal.norm() < 1e-12 * report.edge_max * report.edge_max) ++report.n_degenerate;
     for (int corner = 0; corner < 3; ++corner) used[mesh.triangles(corner, t)] = 1;
   }

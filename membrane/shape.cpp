@@ -1,9 +1,10 @@
 #include "membrane/shape.hpp"
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+
+#include "membrane/element.hpp"
 
 namespace tanktread::membrane {
 namespace {
@@ -45,9 +46,7 @@ double surface_area(const Eigen::Ref<const Eigen::Matrix3Xd>& points,
                     const Eigen::Ref<const Eigen::Matrix3Xi>& triangles) {
   double area = 0;
   for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
-    const Eigen::Vector3d a = points.col(triangles(0, t));
-    const Eigen::Vector3d normal = (points.col(triangles(1, t)) - a).cross(points.col(triangles(2, t)) - a);
-    area += 0.5 * normal.norm();
+    area += 0.5 * area_normal(corners_of(points, triangles.col(t))).norm();
   }
   return area;
 }

@@ -18,6 +18,9 @@ struct VolumeMoments {
 VolumeMoments volume_moments(const Eigen::Ref<const Eigen::Matrix3Xd>& points,
                              const Eigen::Ref<const Eigen::Matrix3Xi>& triangles);
 
+/// Sum of the areas of the triangles, in the square of the points' unit.
+/// @param points 3 x n_nodes
+/// @param triangles 3 x n_triangles; open or closed, wound either way
 double surface_area(const Eigen::Ref<const Eigen::Matrix3Xd>& points,
                     const Eigen::Ref<const Eigen::Matrix3Xi>& triangles);
 

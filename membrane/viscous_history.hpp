@@ -21,6 +21,8 @@ class ViscousHistory {
 
   const ViscousLaw& law() const { return *law_; }
 
+  /// Counts the time step whose strains take() is about to be given: every Nth one updates the stresses. No
+  /// thread may be in take().
   void begin_step();
 
   /// Takes the Green strain E of an element at the new time. In every Nth step its stress goes on with the

@@ -35,7 +35,8 @@ struct ViscousParameters {
 
 /// A viscous stress in the frame that turns with the element (the polar rotation R of F = R U): the shear
 /// parts (s11 - s22)/2 and s12, and the dilatational part (s11 + s22)/2 (Eqs. 2.20-2.24). The state of an
-/// element.
+/// element. Components kept in this frame make the rate of the Maxwell element the Green-Naghdi (polar) one,
+/// with the spin (dR/dt) R^T; not the Jaumann rate, whose spin is the vorticity.
 using ViscousState = std::array<double, 3>;
 
 /// tau_v = mu_s (2 D - tr(D) I) + mu_d tr(D) I (Eq. 2.9), each of its three independent parts a Maxwell

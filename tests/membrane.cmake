@@ -1,5 +1,6 @@
 # Tests of membrane; included by tests/CMakeLists.txt when the component is built.
-add_library(membrane_test_support STATIC unit/membrane_law_list.cpp unit/membrane_support.cpp)
+add_library(membrane_test_support STATIC unit/membrane_law_list.cpp unit/membrane_support.cpp
+  unit/membrane_viscous_support.cpp)
 tanktread_compile_options(membrane_test_support)
 target_include_directories(membrane_test_support PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(membrane_test_support PUBLIC tanktread::membrane)
@@ -12,6 +13,7 @@ tanktread_test(membrane_mesh_test SOURCES unit/membrane_mesh_test.cpp LIBRARIES 
 tanktread_test(membrane_shape_test SOURCES unit/membrane_shape_test.cpp LIBRARIES membrane_test_support)
 tanktread_test(membrane_shape_convergence_test SOURCES verification/membrane_shape_convergence_test.cpp LIBRARIES membrane_test_support)
 tanktread_test(membrane_force_convergence_test SOURCES verification/membrane_force_convergence_test.cpp LIBRARIES membrane_test_support)
-tanktread_test(membrane_maxwell_test SOURCES verification/membrane_maxwell_test.cpp LIBRARIES tanktread::membrane)
-tanktread_test(membrane_viscous_law_test SOURCES unit/membrane_viscous_law_test.cpp LIBRARIES tanktread::membrane)
-tanktread_test(membrane_viscous_test SOURCES unit/membrane_viscous_test.cpp LIBRARIES membrane_test_support)
+tanktread_test(membrane_maxwell_test SOURCES verification/membrane_maxwell_test.cpp LIBRARIES membrane_test_support)
+tanktread_test(membrane_viscous_law_test SOURCES unit/membrane_viscous_law_test.cpp LIBRARIES membrane_test_support)
+tanktread_test(membrane_viscous_test SOURCES unit/membrane_viscous_test.cpp unit/membrane_viscous_interval_test.cpp
+  LIBRARIES membrane_test_support)

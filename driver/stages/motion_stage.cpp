@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "driver/components.hpp"
+#include "driver/output_directory.hpp"
 #include "driver/schedule.hpp"
 #include "driver/signals.hpp"
 #include "driver/stages/membrane_files.hpp"
@@ -139,10 +140,7 @@ void run(const MotionStage& stage) {
   auto membranes = make_membranes(stage.the_case, numbers, meshes);
   const auto motion =
       stage.series.empty() ? twist(stage, numbers, meshes) : series(stage, numbers, membranes);
-  if (std::filesystem::exists(stage.out) &&
-      !(std::filesystem::is_directory(stage.out) && std::filesystem::is_empty(stage.out))) {
-    throw InputError(stage.out.string() + ": is there already; --out must name a new or empty directory");
-  }
+  require_new_directory("--out", stage.out);
   require_rest(stage, numbers, membranes, motion.positions(0));
   follow(motion, membranes, numbers, stage.out);
 }

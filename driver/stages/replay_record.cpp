@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "driver/case.hpp"
+#include "driver/output_directory.hpp"
 #include "driver/stages/packet_folder.hpp"
 #include "exchange/vtk_files.hpp"
 
@@ -54,9 +55,7 @@ ReplayRecord::ReplayRecord(const ReplayOptions& options) : directory_(options.re
                       directory_.string(), part, directory_.string()));
     }
   }
-  if (!out_.empty() && std::filesystem::exists(out_) && !std::filesystem::is_empty(out_)) {
-    throw InputError(out_.string() + ": holds something already; give a new directory");
-  }
+  if (!out_.empty()) require_new_directory("--out", out_);
   begin_ = read_state(directory_ / "begin");
   box_ = read_case(directory_ / "echo.toml").flow.box;
   const auto end = directory_ / "end" / membrane_state_file;

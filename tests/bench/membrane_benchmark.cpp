@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "membrane/membrane.hpp"
+#include "tests/bench/bandwidth.hpp"
 
 namespace tanktread::membrane {
 namespace {
@@ -56,4 +57,6 @@ BENCHMARK_CAPTURE(membrane_step, fd_every_25, "fd", 25)->Arg(1)->Arg(2)->UseReal
 }  // namespace
 }  // namespace tanktread::membrane
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  return tanktread::bench::run(argc, argv);
+}

@@ -237,6 +237,9 @@ TEST(CouplerStencils, WrongArgumentsAreRefused) {
   Kernel wide = kernel("roma3");
   wide.half_width = 3.5;
   EXPECT_THAT(complaint([&] { Coupler(walled_in_z, wide); }), HasSubstr("half-width"));
+  Kernel empty = kernel("roma3");
+  empty.function = nullptr;
+  EXPECT_THAT(complaint([&] { Coupler(walled_in_z, empty); }), HasSubstr("needs a function"));
 
   Coupler coupler(walled_in_z, kernel("linear2"));
   EXPECT_THAT(complaint([&] {

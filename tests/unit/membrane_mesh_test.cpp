@@ -51,9 +51,16 @@ TEST(Icosphere, HasItsNodesOnTheSphereAndAlmostEqualEdges) {
     EXPECT_LT(((mesh.points.colwise() - centre).colwise().norm().array() - 2.5).abs().maxCoeff(),
               32 * epsilon);
     const auto report = inspect(mesh);
-    // Of all levels: the longest edges are in the middle of a face of the icosahedron, the shortest at its
-    // corners.
-    EXPECT_LT(report.edge_max / report.edge_min, 1.33);
+    // Shortest are the edges along those of the icosahedron, which are arcs halved at each level. Longest are
+    // those of the triangle in the middle of a face: one of chord c (radius 1) has in its own middle one of
+    // chord c/sqrt(4 - c^2), so that 1/c^2 - 1/3 grows fourfold. Ends of an edge round by 16 epsilon a
+    // coordinate each, and each level by a few times 2.5 epsilon.
+    const double edge = 1 / std::sin(2 * std::numbers::pi / 5), arc = 2 * std::asin(0.5 * edge);
+    const double longest = 1 / std::sqrt(1.0 / 3 + std::pow(4, level) * (1 / (edge * edge) - 1.0 / 3));
+    const double shortest = 2 * std::sin(0.5 * arc / std::pow(2, level));
+    const double rounding = (2 * 16 * std::sqrt(3.0) + 10 * level) * epsilon;
+    EXPECT_NEAR(report.edge_max, 2.5 * longest, rounding) << level;
+    EXPECT_NEAR(report.edge_min, 2.5 * shortest, rounding) << level;
     EXPECT_GE(report.edge_mean, report.edge_min * (1 - 100 * epsilon));
     EXPECT_LE(report.edge_mean, report.edge_max * (1 + 100 * epsilon));
   }

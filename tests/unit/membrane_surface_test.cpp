@@ -200,11 +200,13 @@ TEST(Membrane, RefusesArraysOfAnotherNumberOfNodes) {
               AllOf(HasSubstr("force array has 11 columns"), HasSubstr("12 nodes")));
 }
 
-TEST(Membrane, RefusesAMeshWithDefectsAndAMissingLaw) {
+TEST(Membrane, RefusesAMeshWithDefectsAMissingLawAndNegativeThreads) {
   EXPECT_THAT(refusal_message([] { Membrane(turned_inside_out(icosphere(0, 1)), skalak()); }),
               AllOf(HasSubstr("membrane mesh: "), HasSubstr("inside out")));
   EXPECT_THAT(refusal_message([] { Membrane(icosphere(0, 1), nullptr); }),
               HasSubstr("an elastic law is needed"));
+  EXPECT_THAT(refusal_message([] { Membrane(icosphere(0, 1), skalak(), -1); }),
+              HasSubstr("threads = -1; 0 (all) or more is needed"));
 }
 
 }  // namespace

@@ -1,19 +1,15 @@
-// The viscous law of an element: its parts, its order in time, and that a rotation leaves it alone.
+// The viscous law of an element: its parts, and its order in time.
 #include "membrane/viscous_law.hpp"
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 
-#include "membrane/element.hpp"
+#include "unit/membrane_viscous_support.hpp"
 
-namespace tanktread::membrane {
+namespace tanktread::membrane::test {
 namespace {
-
-constexpr double rounding = 1e-13;
 
 ViscousParameters stiff(double shear_viscosity, double dilatational_viscosity) {
   ViscousParameters parameters;
@@ -67,12 +63,12 @@ Eigen::Matrix2d motion(double s) {
   return gradient;
 }
 
-/// Stress after one and a quarter periods in n steps a period, times n/1000: mu and k' are set so that the
-/// physical relaxation time is the same for every n (an interval is one step here).
-Eigen::Matrix2d stress_after(const std::string& scheme, StressMeasure measure, int n) {
+/// Stress after one and a quarter periods in n steps a period: mu and k' are set so that the physical
+/// relaxation time is the same for every n (an interval is one step here).
+Eigen::Matrix2d stress_after(const ViscousForm& form, int n) {
   ViscousParameters parameters;
-  parameters.scheme = scheme;
-  parameters.measure = measure;
+  parameters.scheme = form.scheme;
+  parameters.measure = form.measure;
   parameters.shear_viscosity = 1.0 * n;
   parameters.dilatational_viscosity = 0.5 * n;
   parameters.shear_spring = 20.0;
@@ -88,49 +84,26 @@ Eigen::Matrix2d stress_after(const std::string& scheme, StressMeasure measure, i
   return ViscousLaw::stress(state);
 }
 
-class ViscousSchemes : public ::testing::TestWithParam<std::tuple<const char*, StressMeasure>> {};
-INSTANTIATE_TEST_SUITE_P(All, ViscousSchemes,
-                         ::testing::Combine(::testing::Values("fd", "int1", "int2"),
-                                            ::testing::Values(StressMeasure::rate_of_deformation,
-                                                              StressMeasure::rate_of_strain)));
+class ViscousSchemes : public ::testing::TestWithParam<ViscousForm> {};
+INSTANTIATE_TEST_SUITE_P(All, ViscousSchemes, ::testing::ValuesIn(viscous_forms()),
+                         [](const auto& tested) { return test_name(tested.param); });
 
+// The differences that it finds are the table of docs/viscous-membranes.md: --gtest_output=xml prints them.
 TEST_P(ViscousSchemes, AreOfSecondOrderAtFiniteStrain) {
-  const auto [scheme, measure] = GetParam();
-  const auto a = stress_after(scheme, measure, 400), b = stress_after(scheme, measure, 800),
-             c = stress_after(scheme, measure, 1600);
+  const auto a = stress_after(GetParam(), 400), b = stress_after(GetParam(), 800),
+             c = stress_after(GetParam(), 1600);
   const double order = std::log2((a - b).norm() / (b - c).norm());
-  // The next even order adds (period/400)^2 times a few powers of 2 pi to the ratio: below 1 %.
-  EXPECT_GT(order, 1.95);
-  EXPECT_LT(order, 2.05);
+  RecordProperty("stress", testing::PrintToString(c.norm()));
+  RecordProperty("differences",
+                 testing::PrintToString((a - b).norm()) + " " + testing::PrintToString((b - c).norm()));
+  RecordProperty("order", testing::PrintToString(order));
+  // The next even order adds (period/400)^2 times a few powers of 2 pi to the ratio, below 1 %: 0.01/ln 2.
+  EXPECT_NEAR(order, 2.0, 0.015);
 }
 
-TEST_P(ViscousSchemes, ARigidRotationLeavesStressAndHistoryAlone) {
-  const auto [scheme, measure] = GetParam();
-  ViscousParameters parameters;
-  parameters.scheme = scheme;
-  parameters.measure = measure;
-  parameters.shear_viscosity = 2;
-  parameters.dilatational_viscosity = 3;
-  parameters.shear_spring = 0.7;
-  parameters.dilatational_spring = 0.4;
-  const ViscousLaw law(parameters);
-  // An element of finite strain with a history that is not zero.
-  ViscousState state{};
-  law.advance(green_strain(motion(0)), green_strain(motion(0.1)), state);
-  ASSERT_GT(ViscousLaw::stress(state).norm(), 0.01);
-  // The same step, unrotated, and with a rotation of 50 degrees on top of it: E does not see the rotation,
-  // nor does the frame of R; what is left is the rounding of F^T F.
-  ViscousState unrotated = state, rotated = state;
-  const Eigen::Matrix2d next = motion(0.13);
-  law.advance(green_strain(motion(0.1)), green_strain(next), unrotated);
-  law.advance(green_strain(motion(0.1)), green_strain(Eigen::Rotation2Dd(0.87).toRotationMatrix() * next),
-              rotated);
-  for (int part = 0; part < 3; ++part) EXPECT_NEAR(rotated[part], unrotated[part], rounding);
-}
-
-TEST(ViscousLaw, RateOfDeformationIsWorkConjugateToTheCauchyStress) {
-  // Uniform inflation by the factor g a step: D dt = ln g I to second order, whatever the size reached; dE is
-  // g^2 times it.
+TEST(ViscousLaw, AnEvenGrowthGivesTheSameStressAtAnySize) {
+  // Growing evenly by the factor g a step: D dt = ln g I to second order, whatever the size reached; the
+  // increment of E is the square of the size times it.
   const double g = 1.001;
   ViscousState at_rest{}, inflated{};
   const ViscousLaw law(stiff(0, 1));
@@ -141,7 +114,10 @@ TEST(ViscousLaw, RateOfDeformationIsWorkConjugateToTheCauchyStress) {
   law.advance(strain(2), strain(2 * g), inflated);
   // 2 mu_d tanh(ln g): short of 2 ln g by 2 (ln g)^3/3 = 6.7e-10.
   EXPECT_NEAR(at_rest[2], 2 * std::log(g), 7e-10);
-  EXPECT_NEAR(inflated[2], at_rest[2], 1e-12);
+  // Rounding: stretch^2 of 4 rounds by 2 eps, less 1 by one more, so E by 1.5 eps; U^-1 on both sides makes a
+  // quarter of it and 2 mu_d the double: 0.75 eps. At rest E rounds by 0.25 eps: 0.5 eps. What is relative to
+  // the stress of 0.002 does not count.
+  EXPECT_NEAR(inflated[2], at_rest[2], 2 * epsilon);
 }
 
 TEST(ViscousLaw, RefusesBadParameters) {
@@ -160,4 +136,4 @@ TEST(ViscousLaw, RefusesBadParameters) {
 }
 
 }  // namespace
-}  // namespace tanktread::membrane
+}  // namespace tanktread::membrane::test

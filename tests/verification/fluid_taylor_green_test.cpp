@@ -18,16 +18,18 @@ struct Vortex {
   int first, second;  ///< axes of the plane in which the fluid turns
   bool inertia;
   double mean_flow;  ///< along both axes, in units of the vortex's speed
+  /// tau+. At 1 a collision leaves nothing of the even departure from equilibrium, nor has the start any; at
+  /// another both count. (At 0.8 and Lambda = 3/16 the errors of second order nearly cancel, and no order
+  /// could be read off.)
+  double relaxation_time = 1.0;
+
+  double viscosity() const { return (relaxation_time - 0.5) / 3.0; }
 };
 void PrintTo(const Vortex& vortex, std::ostream* out) {
   *out << "plane "
        << "xyz"[vortex.first] << "xyz"[vortex.second] << (vortex.inertia ? ", inertia" : ", Stokes")
-       << ", mean flow " << vortex.mean_flow;
+       << ", mean flow " << vortex.mean_flow << ", tau+ " << vortex.relaxation_time;
 }
-
-// At tau+ = 0.8 and Lambda = 3/16 the errors of second order nearly cancel, and no order could be read off.
-constexpr double relaxation_time = 1.0;
-constexpr double viscosity = (relaxation_time - 0.5) / 3.0;
 
 /// The vortex on a grid of n x n nodes:
 ///   u_a = U - u0 d cos(k a) sin(k b),   u_b = U + u0 d sin(k a) cos(k b),   d = exp(-2 nu k^2 t),
@@ -43,7 +45,7 @@ class VortexOnGrid {
     return {nodes[0], nodes[1], nodes[2]};
   }
 
-  double decay_rate() const { return 2.0 * viscosity * wave_number_ * wave_number_; }
+  double decay_rate() const { return 2.0 * vortex_.viscosity() * wave_number_ * wave_number_; }
 
   /// The part of the velocity that decays; `decay` is d.
   Vector swirl(const Vector& position, double time, double decay) const {
@@ -80,7 +82,7 @@ class VortexOnGrid {
         const int c_c = c[vortex_.first] * c[vortex_.first] - c[vortex_.second] * c[vortex_.second];
         values[n_populations * node + i] =
             d3q19::weight(i) * (density_change + density * (3.0 * cu + quadratic) -
-                                3.0 * (relaxation_time - 1.0) * strain_rate * c_c);
+                                3.0 * (vortex_.relaxation_time - 1.0) * strain_rate * c_c);
       }
     });
     return state;
@@ -106,12 +108,12 @@ Errors errors_at(const Vortex& vortex, int n) {
   const VortexOnGrid exact(vortex, n);
   LatticeBoltzmannSettings settings;
   settings.shape = exact.shape();
-  settings.relaxation_time = relaxation_time;
+  settings.relaxation_time = vortex.relaxation_time;
   settings.inertia = vortex.inertia;
   settings.threads = 1;
   const auto fluid = make_lattice_boltzmann(settings);
   fluid->restore(exact.start(*fluid));
-  const int n_steps = 12 * (n / 12) * (n / 12);  // to exp(-1.1)
+  const int n_steps = 12 * (n / 12) * (n / 12);  // to exp(-1.1) at tau+ = 1
   steps(*fluid, n_steps);
 
   const double decay = std::exp(-exact.decay_rate() * n_steps);
@@ -130,6 +132,13 @@ Errors errors_at(const Vortex& vortex, int n) {
   return {std::sqrt(error_squared / exact_squared), std::abs(rate / exact.decay_rate() - 1.0)};
 }
 
+/// How far the order found from n to 2n nodes may be off 2. The next even order is (wave number)^2 of the
+/// error times a number below 1 (0.5 at most was found here).
+double order_band(int n) {
+  const double next = std::pow(2.0 * std::numbers::pi / n, 2);
+  return std::log2((1.0 + next) / (1.0 + next / 4.0));
+}
+
 class FluidTaylorGreen : public testing::TestWithParam<Vortex> {};
 
 TEST_P(FluidTaylorGreen, decays_with_second_order) {
@@ -138,20 +147,25 @@ TEST_P(FluidTaylorGreen, decays_with_second_order) {
     const Errors fine = errors_at(GetParam(), n);
     const double velocity_order = std::log2(coarse.velocity / fine.velocity);
     const double rate_order = std::log2(coarse.decay_rate / fine.decay_rate);
-    EXPECT_GT(velocity_order, 1.8) << "n " << n;
-    EXPECT_LT(velocity_order, 2.2) << "n " << n;
-    EXPECT_GT(rate_order, 1.8) << "n " << n;
-    EXPECT_LT(rate_order, 2.2) << "n " << n;
+    EXPECT_NEAR(velocity_order, 2.0, order_band(n / 2)) << "n " << n;
+    EXPECT_NEAR(rate_order, 2.0, order_band(n / 2)) << "n " << n;
     coarse = fine;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(every, FluidTaylorGreen,
-                         testing::Values(Vortex{0, 1, false, 0.0}, Vortex{1, 2, false, 0.0},
-                                         Vortex{2, 0, false, 0.0}, Vortex{0, 1, true, 0.0},
-                                         Vortex{1, 2, true, 0.0}, Vortex{2, 0, true, 0.0},
-                                         Vortex{0, 1, true, 1.0}, Vortex{1, 2, true, 1.0},
-                                         Vortex{2, 0, true, 1.0}));
+std::vector<Vortex> vortices() {
+  std::vector<Vortex> vortices;
+  for (const double relaxation_time : {1.0, 1.2}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const int next = (axis + 1) % 3;
+      vortices.push_back({axis, next, false, 0.0, relaxation_time});
+      vortices.push_back({axis, next, true, 0.0, relaxation_time});
+      vortices.push_back({axis, next, true, 1.0, relaxation_time});
+    }
+  }
+  return vortices;
+}
+INSTANTIATE_TEST_SUITE_P(every, FluidTaylorGreen, testing::ValuesIn(vortices()));
 
 }  // namespace
 }  // namespace tanktread::fluid::test
