@@ -34,8 +34,8 @@ struct FlowCase {
   std::string start = "rest";  ///< rest | developed
   std::array<double, 3> body_force = {0, 0, 0};
   bool inertia = true;
-  double speed_limit = 0.3;
-  std::vector<std::string> command;  ///< a program in the place of the flow solver; empty: none
+  std::optional<double> speed_limit;  ///< none: by the wall speed (FlowParameters)
+  std::vector<std::string> command;   ///< a program in the place of the flow solver; empty: none
 
   bool operator==(const FlowCase&) const = default;
 };

@@ -14,7 +14,7 @@ std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const FlowParamet
   settings.inertia = flow.inertia;
   settings.body_force = parameters.body_force;
   settings.start = flow.start == "developed" ? fluid::Start::developed : fluid::Start::rest;
-  settings.speed_limit = flow.speed_limit;
+  settings.speed_limit = parameters.speed_limit;
   settings.threads = the_case.run.threads;
   if (flow.kind != "periodic") {
     fluid::WallPair walls;

@@ -44,7 +44,7 @@ void put_viscous_part(EchoTable& table, const Subject& subject, const std::strin
   table.row(fmt::format("k_{}'", part), number(spring), in_si(subject, spring, newton_per_metre, "N/m"),
             fmt::format("kappa_{0} g mu_{0}/2", part));
   table.row(fmt::format("N k_{}'", part), number(interval * spring), "",
-            fmt::format("stable up to {:.3g} = 45 mu_o", limit));
+            fmt::format("stable up to {:.3g} = 32 mu_o", limit));
   table.row(fmt::format("largest kappa_{}", part),
             fmt::format("{:.4g}", 2 * limit / (interval * viscosity * g)), "",
             fmt::format("that is stable at N = {}", interval));

@@ -1,8 +1,20 @@
 #include "driver/flow_units.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tanktread::driver {
+
+namespace {
+
+/// Nothing that walls drive is twenty times as fast as they are: the membrane then moves by itself, as where
+/// its springs are too stiff for the time step, and goes on without the flow ever reaching the first limit.
+double preset_speed_limit(const FlowCase& flow, double wall_speed) {
+  constexpr double of_the_lattice = 0.3, wall_speeds = 20;
+  return flow.kind == "periodic" ? of_the_lattice : std::min(of_the_lattice, wall_speeds * wall_speed);
+}
+
+}  // namespace
 
 FlowParameters flow_parameters(const Case& the_case) {
   const auto& flow = the_case.flow;
@@ -32,6 +44,7 @@ FlowParameters flow_parameters(const Case& the_case) {
         8.0 * result.kinematic_viscosity * result.wall_speed / (height * height);
   }
   result.steps_per_shear_time = 1.0 / result.shear_rate;
+  result.speed_limit = flow.speed_limit.value_or(preset_speed_limit(flow, result.wall_speed));
   return result;
 }
 

@@ -18,6 +18,7 @@ struct FlowParameters {
   double mach_number = 0;                        ///< U0 sqrt(3); periodic: g a sqrt(3)
   std::array<double, 3> body_force = {0, 0, 0};  ///< of the kind (poiseuille) and the key together
   double steps_per_shear_time = 0;               ///< 1/g
+  double speed_limit = 0.3;                      ///< a fluid that is as fast stops the run
 };
 
 /// Works out all of the above. Lattice units: density 1, so that mu_o = nu. Formulas: docs/units.md.

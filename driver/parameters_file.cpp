@@ -28,6 +28,7 @@ void put_flow(std::string& toml, const FlowParameters& flow) {
   put(toml, "relaxation_time", flow.relaxation_time, "steps; tau+");
   put(toml, "relaxation_time_odd", flow.relaxation_time_odd, "steps; tau-");
   put(toml, "reynolds_number", flow.reynolds_number, "g a^2/nu, a of capsule 0");
+  put(toml, "speed_limit", flow.speed_limit, "grid steps/step; a fluid that is as fast stops the run");
   put(toml, "mach_number", flow.mach_number, "U0 sqrt(3), without walls g a sqrt(3)");
 }
 

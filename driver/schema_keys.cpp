@@ -169,8 +169,9 @@ std::vector<Key> title_and_flow_keys() {
           .one_of({"rest", "developed"}),
       key<InFlow<&F::body_force>>("flow.body_force", "lattice", "force on each node, added"),
       key<InFlow<&F::inertia>>("flow.inertia", "", "false: no quadratic terms (Stokes flow)"),
-      key<InFlow<&F::speed_limit>>("flow.speed_limit", "lattice", "a higher fluid speed stops the run")
-          .above(0),
+      key<InFlow<&F::speed_limit>>("flow.speed_limit", "lattice", "a fluid that is as fast stops the run")
+          .above(0)
+          .preset("0.3, or 20 wall speeds if that is less"),
       key<InFlow<&F::command>>("flow.command", "",
                                "a program in the place of the flow solver, and its arguments; []: none"),
   };

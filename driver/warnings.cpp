@@ -24,11 +24,11 @@ void warn_of_flow(Lines& lines, const Case& the_case, const Parameters& p) {
         fmt::format("Mach number {:.3g} is over 0.1: the fluid is compressed noticeably; lower {}",
                     p.mach_number, speed_keys));
   }
-  if (p.wall_speed >= flow.speed_limit) {
+  if (p.wall_speed >= p.speed_limit) {
     lines.push_back(
         fmt::format("wall speed {:.3g} is not below the speed limit {:.3g} that stops the run; "
                     "lower {}, or raise flow.speed_limit",
-                    p.wall_speed, flow.speed_limit, speed_keys));
+                    p.wall_speed, p.speed_limit, speed_keys));
   }
   if (p.relaxation_time < 0.55) {
     lines.push_back(
@@ -118,7 +118,7 @@ void warn_of_stability(Lines& lines, std::size_t number, int interval, const Vis
   if (interval * part.spring <= limit) return;
   const double ratio = limit / (interval * part.spring);
   lines.push_back(fmt::format(
-      "capsule {}: N k_{}' = {:.3g} is over {:.3g} = 45 mu_o, beyond which runs break down or may: divide "
+      "capsule {}: N k_{}' = {:.3g} is over {:.3g} = 32 mu_o, beyond which runs break down or may: divide "
       "the "
       "stiffness of the spring (membrane.viscous.spring_...{}), the interval, or the speed of the flow by "
       "{:.3g}",

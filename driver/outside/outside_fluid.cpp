@@ -59,7 +59,7 @@ OutsideFluid::OutsideFluid(const Case& the_case, const FlowParameters& parameter
     : program_(the_case.flow.command, the_case.run, "fluid", "fluid"),
       constants_(constants(the_case, parameters)),
       shape_(start.shape()),
-      speed_limit_(the_case.flow.speed_limit) {
+      speed_limit_(parameters.speed_limit) {
   const auto n_nodes = static_cast<std::size_t>(shape_.size());
   force_.assign(3 * n_nodes, 0.0);
   arrays_ = {{"density", 1, std::vector<double>(n_nodes)}, {"velocity", 3, std::vector<double>(3 * n_nodes)}};

@@ -75,7 +75,7 @@ TEST(Step, KeepsTheVolumeOfEachCapsule) {
 }
 
 TEST(Step, DropletAtRestStaysAtRest) {
-  auto c = parse({"membrane.elastic_law=interfacial-tension", "flow.wall_speed=1e-9",
+  auto c = parse({"membrane.elastic_law=interfacial-tension", "flow.wall_speed=1e-9", "flow.speed_limit=0.3",
                   "membrane.capillary_number=1e-6", "capsule.1.membrane.elastic_law=interfacial-tension",
                   "capsule.1.membrane.capillary_number=1e-6"});
   auto system = make(c);

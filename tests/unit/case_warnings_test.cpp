@@ -135,15 +135,15 @@ TEST(CaseWarnings, AnIntervalLongerThanTheRelaxationTime) {
 }
 
 TEST(CaseWarnings, ASpringTooStiffForAnExplicitUpdate) {
-  // least_case has mu_o = 1/6: 45 mu_o = 7.5. With Bq_s = 100 (mu_s = 100) no interval here exceeds tau.
+  // least_case has mu_o = 1/6: 32 mu_o = 5.33. With Bq_s = 100 (mu_s = 100) no interval here exceeds tau.
   const auto with = [&](const std::string& keys) {
     return warnings_of({"membrane.viscous={scheme = \"fd\", boussinesq_shear = 100, " + keys + "}"});
   };
-  EXPECT_THAT(with("spring_modulus = 7.4"), IsEmpty());
-  EXPECT_THAT(with("spring_modulus = 15.0"),
-              ElementsAre(AllOf(HasSubstr("N k_s' = 15 is over 7.5"), HasSubstr("by 2"))));
-  EXPECT_THAT(with("spring_modulus = 0.74, interval = 10"), IsEmpty());
-  EXPECT_THAT(with("spring_modulus = 0.76, interval = 10"), ElementsAre(HasSubstr("N k_s' = 7.6 is over")));
+  EXPECT_THAT(with("spring_modulus = 5.3"), IsEmpty());
+  EXPECT_THAT(with("spring_modulus = 16.0"),
+              ElementsAre(AllOf(HasSubstr("N k_s' = 16 is over 5.33"), HasSubstr("by 3"))));
+  EXPECT_THAT(with("spring_modulus = 0.53, interval = 10"), IsEmpty());
+  EXPECT_THAT(with("spring_modulus = 0.54, interval = 10"), ElementsAre(HasSubstr("N k_s' = 5.4 is over")));
   EXPECT_THAT(with("spring_modulus = 0.1, boussinesq_dilatational = 100, spring_modulus_dilatational = 8"),
               ElementsAre(AllOf(HasSubstr("N k_d' = 8 is over"), HasSubstr("spring_..._dilatational"))));
 }

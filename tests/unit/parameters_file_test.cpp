@@ -39,6 +39,7 @@ TEST(ParametersFile, HoldsTheSameNumbers) {
   expect_real(flow["wall_speed"], p.wall_speed);
   expect_real(flow["kinematic_viscosity"], p.kinematic_viscosity);
   expect_real(flow["relaxation_time_odd"], p.relaxation_time_odd);
+  expect_real(flow["speed_limit"], p.speed_limit);
   expect_real(flow["reynolds_number"], p.reynolds_number);
   expect_real(flow["body_force"][0], 0.0);
   const auto capsule = std::as_const(file)["capsule"][0];

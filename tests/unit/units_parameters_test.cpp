@@ -43,6 +43,17 @@ TEST(UnitsParameters, TheThesisAtHalfResolution) {
   EXPECT_EQ(c.interfacial_tension, 0.0);
 }
 
+TEST(UnitsParameters, SpeedLimitByTheWalls) {
+  const auto limit = [](const std::string& text, const std::vector<std::string>& keys) {
+    return parameters(parse(text, keys)).speed_limit;
+  };
+  const std::string by_wall_speed = "flow={box=[36, 40, 44], wall_speed=1e-3}";
+  EXPECT_EQ(limit(least_case, {by_wall_speed}), 20 * 1e-3);
+  EXPECT_EQ(limit(least_case, {by_wall_speed, "flow.wall_speed=0.02"}), 0.3);
+  EXPECT_EQ(limit(least_case, {by_wall_speed, "flow.speed_limit=0.1"}), 0.1);
+  EXPECT_EQ(limit(droplet_case, {}), 0.3);  // periodic: no walls
+}
+
 TEST(UnitsParameters, CapillaryNumberByEachModulus) {
   const auto by_G_s = parameters(parse(least_case, {"membrane.capillary_modulus=G_s"})).capsules[0];
   expect_near(by_G_s.capillary_by_G_s, 0.3);
