@@ -48,7 +48,9 @@ class ForceField {
   std::array<double, 3> body_;
   bool has_body_force_;
   std::vector<double> added_;
-  std::vector<unsigned char> row_touched_;  ///< rows that add() has met: the others are zero, and skipped
+  /// The nodes of each row that add() has met lie from begin_ up to end_ (not included); the others are zero,
+  /// and skipped. Of a row that it has not met begin_ is nx and end_ 0.
+  std::vector<std::int32_t> begin_, end_;
 };
 
 }  // namespace tanktread::fluid

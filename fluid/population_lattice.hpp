@@ -57,8 +57,9 @@ class PopulationLattice {
   const std::optional<WallPair>& walls() const { return walls_; }
 
  private:
+  static constexpr std::align_val_t huge_page{std::size_t{2} << 20};
   struct Release {
-    void operator()(double* memory) const { ::operator delete[](memory, std::align_val_t{64}); }
+    void operator()(double* memory) const { ::operator delete[](memory, huge_page); }
   };
   GridShape shape_;
   std::optional<WallPair> walls_;

@@ -26,6 +26,7 @@ LIBRARIES = (
     ("fmt", re.compile(r"fmt/"), ("exchange", "driver")),
     ("xxHash", re.compile(r"xxhash\.h$"), ("exchange",)),
     ("OpenMP", re.compile(r"omp\.h$"), ("fluid", "membrane", "coupler", "driver")),
+    ("memory pages", re.compile(r"sys/mman\.h$"), ("fluid",)),
     ("POSIX", re.compile(r"(unistd|fcntl|poll|spawn|sys/\w+)\.h$"), ("exchange", "driver")),
 )
 # The same libraries by the names of their CMake targets.
