@@ -3,6 +3,7 @@
 
 #include "driver/case.hpp"
 #include "driver/schema.hpp"
+#include "driver/toml_line.hpp"
 
 namespace tanktread::driver {
 namespace {
@@ -27,7 +28,7 @@ void put_key(std::string& toml, const std::string& name, const Key& key, const C
   if (key.objection != nullptr && !key.objection(the_case, capsule).empty()) return;
   auto comment = key.meaning;
   if (!key.unit.empty()) comment = fmt::format("{}; {}", key.unit, comment);
-  toml += fmt::format("{:<44} # {}\n", fmt::format("{} = {}", name, toml_text(value)), comment);
+  toml += toml_line(name, value, comment);
 }
 
 /// Whether a key of [membrane] has a place in each capsule, with the same value: it is then written once, so

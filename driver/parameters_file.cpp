@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
-#include "driver/case_value.hpp"
+#include "driver/toml_line.hpp"
 #include "driver/version.hpp"
 
 namespace tanktread::driver {
 namespace {
 
 void put(std::string& toml, const std::string& name, const Value& value, const std::string& meaning) {
-  toml += fmt::format("{:<44} # {}\n", fmt::format("{} = {}", name, toml_text(value)), meaning);
+  toml += toml_line(name, value, meaning);
 }
 
 /// What a capsule may not have is 0 there.

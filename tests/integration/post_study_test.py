@@ -119,6 +119,11 @@ class Studies(Tables):
             self.assertEqual([t["file"] for t in study.choose_tables(wanted, [name])], ["noise.csv"])
         self.assert_refused(["'nose'", "errors, noise"], study.choose_tables, wanted, ["noise", "nose"])
         self.assert_refused("no such file", study.read_study, self.output)
+        text = (self.case / "study.toml").read_text()
+        for bad, words in (("[[tabel]]\n", "no key 'tabel'"), ('[[table]]\nfile = "a.csv"\n', ["[[table]] number", "'arguments' is missing"]), ("[[table]]\nfile = 1\narguments = []\ncolour = 1\n", "no key 'colour'")):
+            (self.case / "study.toml").write_text(text + bad)
+            self.assert_refused(words, study.read_study, self.case)
+        (self.case / "study.toml").write_text(text)
 
     def test_plots_of_the_tables_that_are_there(self):
         (self.case / "compare.toml").write_text('title = ""\n')

@@ -84,6 +84,8 @@ TEST(ParametersFile, NamesTheCommitsOfAllProgramsThatMadeARun) {
     std::ofstream(file) << "commit = \"" << before << "\"\n";
     EXPECT_EQ(commits_with(file), after);
   }
+  std::ofstream(file) << "commit = \"12ab";  // cut off
+  EXPECT_EQ(commits_with(file), "unknown, " + ours);
   std::filesystem::remove(file);
 }
 
