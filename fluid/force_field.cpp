@@ -44,26 +44,4 @@ void ForceField::restore(std::span<const double> added) {
   std::fill(end_.begin(), end_.end(), static_cast<std::int32_t>(nx_));
 }
 
-bool ForceField::acts_on(std::int64_t row) const {
-  if (has_body_force_) return true;
-  if (end_[row] == 0) return false;
-  const auto row_begin = added_.begin() + 3 * row * nx_;
-  return std::any_of(row_begin + 3 * begin_[row], row_begin + 3 * end_[row],
-                     [](double component) { return component != 0.0; });
-}
-
-void ForceField::gather(std::int64_t row, RowForce& target) const {
-  std::fill(target.x.begin(), target.x.end(), body_[0]);
-  std::fill(target.y.begin(), target.y.end(), body_[1]);
-  std::fill(target.z.begin(), target.z.end(), body_[2]);
-  for (auto x = begin_[row]; x < end_[row]; ++x) {
-    const double* force = &added_[3 * (row * nx_ + x)];
-    target.x[x] = force[0] + body_[0];
-    target.y[x] = force[1] + body_[1];
-    target.z[x] = force[2] + body_[2];
-  }
-  for (auto* component : {&target.x, &target.y, &target.z})
-    std::fill(component->begin() + nx_, component->end(), (*component)[nx_ - 1]);
-}
-
 }  // namespace tanktread::fluid

@@ -1,7 +1,9 @@
 // The force on every node: what was added, and the uniform body force. Internal to fluid/.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,14 +12,6 @@
 #include "fluid/fluid.hpp"
 
 namespace tanktread::fluid {
-
-/// The total force on the nodes of one row, a component after the other; beyond the row (EndPack) the last
-/// node's once more.
-struct RowForce {
-  explicit RowForce(int nx) : x(nx + pack_size), y(nx + pack_size), z(nx + pack_size) {}
-  PackForce pack(int at) const { return {load(&x[at]), load(&y[at]), load(&z[at])}; }
-  std::vector<double> x, y, z;
-};
 
 /// Rows are numbered z ny + y.
 class ForceField {
@@ -31,25 +25,46 @@ class ForceField {
   /// The added force, 3 numbers a node.
   const std::vector<double>& added() const { return added_; }
 
+  bool has_body_force() const { return has_body_force_; }
+
   /// Added and body force on one node.
   std::array<double, 3> total(std::int64_t node) const {
     return {added_[3 * node] + body_[0], added_[3 * node + 1] + body_[1], added_[3 * node + 2] + body_[2]};
   }
 
-  /// A force acts on the row. It depends on the values alone, not on how they came there (a force of zero may
-  /// have been added): the collisions with and without a force differ in the last bit, and a solver that was
-  /// restored must go on as the first one does.
-  bool acts_on(std::int64_t row) const;
+  /// A force may have been added in the row (one of zero, perhaps).
+  bool added_in(std::int64_t row) const { return end_[row] > 0; }
 
-  void gather(std::int64_t row, RowForce& target) const;
+  /// A force other than zero was added to one of the nodes `node`, ..., `node` + `n_lanes` - 1. It depends on
+  /// the values alone, not on how they came there: the collisions with and without a force differ in the last
+  /// bit, and a solver that was restored must go on as the first one does.
+  bool added_to(std::int64_t node, int n_lanes) const {
+    // Zero only if all numbers are: their bits without the sign. Comparing them would take as many jumps.
+    const double* force = &added_[3 * node];
+    std::uint64_t bits = 0;
+    for (int k = 0; k < 3 * n_lanes; ++k) bits |= std::bit_cast<std::uint64_t>(force[k]) << 1;
+    return bits != 0;
+  }
+
+  /// The total force on these nodes; lanes beyond the last repeat it (EndPack).
+  PackForce pack(std::int64_t node, int n_lanes) const {
+    PackForce force;
+    for (int lane = 0; lane < pack_size; ++lane) {
+      const double* added = &added_[3 * (node + std::min(lane, n_lanes - 1))];
+      force.x[lane] = added[0];
+      force.y[lane] = added[1];
+      force.z[lane] = added[2];
+    }
+    return {force.x + body_[0], force.y + body_[1], force.z + body_[2]};
+  }
 
  private:
   std::int64_t nx_;
   std::array<double, 3> body_;
   bool has_body_force_;
   std::vector<double> added_;
-  /// The nodes of each row that add() has met lie from begin_ up to end_ (not included); the others are zero,
-  /// and skipped. Of a row that it has not met begin_ is nx and end_ 0.
+  /// The nodes of each row that add() has met lie from begin_ up to end_ (not included); the others are zero.
+  /// Of a row that it has not met begin_ is nx and end_ 0.
   std::vector<std::int32_t> begin_, end_;
 };
 

@@ -9,11 +9,12 @@
 #include "fluid/border_checks.hpp"
 #include "fluid/collision.hpp"
 #include "fluid/developed_flow.hpp"
-#include "fluid/end_pack.hpp"
 #include "fluid/force_field.hpp"
+#include "fluid/kept_velocity.hpp"
 #include "fluid/node_moments.hpp"
 #include "fluid/node_rates.hpp"
 #include "fluid/population_lattice.hpp"
+#include "fluid/row_packs.hpp"
 #include "fluid/settings.hpp"
 
 namespace tanktread::fluid {
@@ -25,10 +26,12 @@ class LatticeBoltzmann final : public Fluid {
  public:
   explicit LatticeBoltzmann(const LatticeBoltzmannSettings& settings)
       : settings_(settings),
+        limit_squared_(settings.speed_limit * settings.speed_limit),
         n_threads_(settings.threads > 0 ? settings.threads : omp_get_max_threads()),
         lattice_(settings.shape, settings.walls),
         rates_(settings),
-        force_(settings.shape, settings.body_force) {
+        force_(settings.shape, settings.body_force),
+        kept_velocity_(settings.shape) {
     for_each_row([&](int y, int z) {
       for (int x = 0; x < shape().nx; ++x)
         lattice_.put_outgoing(last_turn(), x, y, z, start_populations(settings_, x, y, z).data());
@@ -44,10 +47,7 @@ class LatticeBoltzmann final : public Fluid {
     {
       MomentReader reader = moment_reader();
 #pragma omp for schedule(static)
-      for (std::int64_t k = 0; k < n; ++k) {
-        const auto moments = reader.at(nodes[k]);
-        std::copy_n(moments.velocity.data(), 3, &velocity[3 * k]);
-      }
+      for (std::int64_t k = 0; k < n; ++k) reader.velocity_at(nodes[k], &velocity[3 * k]);
     }
   }
 
@@ -70,10 +70,12 @@ class LatticeBoltzmann final : public Fluid {
   void add_force(std::span<const std::int64_t> nodes, std::span<const double> force) override {
     check_nodes("add_force()", nodes, force.size(), shape().size());
     force_.add(nodes, force);
+    kept_velocity_.forget();  // velocity() is that under the present force
   }
 
   void clear_force() override {
     force_.clear();
+    kept_velocity_.forget();
   }
 
   std::span<const double> force() const override {
@@ -87,6 +89,7 @@ class LatticeBoltzmann final : public Fluid {
 
   double step() override {
     const Turn turn = next_turn();
+    kept_velocity_.begin_step();
     const double highest_squared = settings_.inertia ? sweep<true>(turn) : sweep<false>(turn);
     ++step_;
     return std::sqrt(highest_squared);
@@ -110,6 +113,7 @@ class LatticeBoltzmann final : public Fluid {
     const auto arrays = check_state(state, shape().size());
     step_ = state.step;
     force_.restore(arrays.force);
+    kept_velocity_.forget();
     rates_.set_viscosity(arrays.viscosity);
     for_each_row([&](int y, int z) {
       for (int x = 0; x < shape().nx; ++x)
@@ -136,7 +140,7 @@ class LatticeBoltzmann final : public Fluid {
   }
 
   MomentReader moment_reader() const {
-    return {lattice_, force_, last_turn(), settings_.inertia};
+    return {lattice_, force_, kept_velocity_, last_turn(), settings_.inertia};
   }
 
   template <bool inertia>
@@ -147,16 +151,14 @@ class LatticeBoltzmann final : public Fluid {
     std::int64_t first_bad_row = n_rows;
 #pragma omp parallel num_threads(n_threads_) reduction(max : highest_squared) reduction(min : first_bad_row)
     {
-      RowForce row_force(settings_.shape.nx);
 #pragma omp for schedule(static)
       for (std::int64_t row = 0; row < n_rows; ++row) {
         SpeedWatch watch;
         const int y = static_cast<int>(row % ny), z = static_cast<int>(row / ny);
-        if (force_.acts_on(row)) {
-          force_.gather(row, row_force);
-          sweep_row<inertia, true>(turn, y, z, row_force, watch);
+        if (force_.has_body_force() || force_.added_in(row)) {
+          sweep_row<inertia, true>(turn, y, z, watch);
         } else {
-          sweep_row<inertia, false>(turn, y, z, row_force, watch);
+          sweep_row<inertia, false>(turn, y, z, watch);
         }
         for (int lane = 0; lane < pack_size; ++lane) {
           highest_squared = std::max(highest_squared, watch.highest_squared[lane]);
@@ -168,37 +170,60 @@ class LatticeBoltzmann final : public Fluid {
     return highest_squared;
   }
 
-  template <bool inertia, bool forced>
-  void sweep_row(Turn turn, int y, int z, const RowForce& row_force, SpeedWatch& watch) {
+  /// @tparam may_have_force forces are looked for, pack by pack
+  template <bool inertia, bool may_have_force>
+  void sweep_row(Turn turn, int y, int z, SpeedWatch& watch) {
     const int nx = settings_.shape.nx;
-    const std::int64_t first_node = settings_.shape.index(0, y, z);
     if (lattice_.walls()) return_from_walls(turn, y, z);
     RowSlots slots;
     for (int i = 0; i < n_directions; ++i) slots[i] = lattice_.row_slot(turn, i, y, z);
 
-    const double limit_squared = settings_.speed_limit * settings_.speed_limit;
     for (int x = 0; x < nx; x += pack_size) {
-      const auto force = forced ? row_force.pack(x) : PackForce{};
-      if (x + pack_size > nx || (turn == Turn::streaming && (x == 0 || x + pack_size == nx))) {
-        collide_end<inertia, forced>(EndPack(lattice_, turn, slots, x, y, z), first_node + x, force, watch);
-        continue;
+      const std::int64_t node = settings_.shape.index(x, y, z);
+      const bool at_end = x + pack_size > nx || (turn == Turn::streaming && (x == 0 || x + pack_size == nx));
+      if constexpr (may_have_force) {
+        const bool added = force_.added_to(node, std::min(pack_size, nx - x));
+        if (added || force_.has_body_force()) {
+          if (at_end)
+            collide_pushed<inertia>(EndPack(lattice_, turn, slots, x, y, z), node, watch, added);
+          else
+            collide_pushed<inertia>(WholePack{slots, x}, node, watch, added);
+          continue;
+        }
       }
-      PackPopulations f;
-      for (int i = 0; i < n_directions; ++i) f[i] = load(slots[i] + x);
-      collide<inertia, forced>(f, rates_.pack(first_node + x), force, limit_squared, watch,
-                               [&](int i, Pack outgoing) { store(slots[i] + x, outgoing); });
+      if (at_end)
+        collide_end<inertia>(EndPack(lattice_, turn, slots, x, y, z), node, watch);
+      else
+        collide_at<inertia, false>(WholePack{slots, x}, node, PackForce{}, watch);
     }
   }
 
-  /// Kept out of the loop over whole packs, whose code stays small that way.
-  template <bool inertia, bool forced>
-  __attribute__((noinline)) void collide_end(const EndPack& end, std::int64_t first_node,
-                                             const PackForce& force, SpeedWatch& watch) {
+  /// Kept out of the loop over whole packs without a force, whose code stays small that way.
+  template <bool inertia>
+  __attribute__((noinline)) void collide_end(const EndPack& at, std::int64_t node, SpeedWatch& watch) {
+    collide_at<inertia, false>(at, node, PackForce{}, watch);
+  }
+
+  /// The same for packs with a force; the velocity where forces were added is kept.
+  template <bool inertia, typename SomePack>
+  __attribute__((noinline)) void collide_pushed(const SomePack& at, std::int64_t node, SpeedWatch& watch,
+                                                bool added) {
+    const PackForce force = force_.pack(node, at.n_lanes());
+    collide_at<inertia, true>(at, node, force, watch);
+    if (!added) return;
+    PackPopulations outgoing;
+    at.load_outgoing(outgoing);
+    const auto moments = outgoing_moments<Pack>(outgoing, {force.x, force.y, force.z}, inertia);
+    kept_velocity_.put(node / settings_.shape.nx, node % settings_.shape.nx, moments.velocity);
+  }
+
+  template <bool inertia, bool forced, typename SomePack>
+  __attribute__((always_inline)) void collide_at(const SomePack& at, std::int64_t node,
+                                                 const PackForce& force, SpeedWatch& watch) {
     PackPopulations f;
-    end.load_to(f);
-    collide<inertia, forced>(f, rates_.end_pack(first_node, end.n_lanes), force,
-                             settings_.speed_limit * settings_.speed_limit, watch,
-                             [&](int i, Pack outgoing) { end.put(i, outgoing); });
+    at.load_to(f);
+    collide<inertia, forced>(f, rates_.pack(node, at.n_lanes()), force, limit_squared_, watch,
+                             [&](int i, Pack outgoing) { at.put(i, outgoing); });
   }
 
   /// What moving walls give to the populations they send back, added where the step will find these.
@@ -245,10 +270,12 @@ class LatticeBoltzmann final : public Fluid {
   }
 
   LatticeBoltzmannSettings settings_;
+  double limit_squared_;  ///< of the speed
   int n_threads_;
   PopulationLattice lattice_;
   NodeRates rates_;
   ForceField force_;
+  KeptVelocity kept_velocity_;
   std::int64_t step_ = 0;
 };
 

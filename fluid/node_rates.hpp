@@ -29,14 +29,10 @@ class NodeRates {
   }
   const std::vector<double>& viscosity() const { return viscosity_; }
 
-  Rates pack(std::int64_t node) const {
+  /// Of nodes that follow each other; lanes beyond the last repeat it (EndPack).
+  Rates pack(std::int64_t node, int n_lanes) const {
     if (even_.empty()) return {Pack{} + even_rate_, Pack{} + odd_rate_};
-    return {load(&even_[node]), load(&odd_[node])};
-  }
-
-  /// The same where the pack may end beyond the last node of the lattice.
-  Rates end_pack(std::int64_t node, int n_lanes) const {
-    if (even_.empty() || n_lanes == pack_size) return pack(node);
+    if (n_lanes == pack_size) return {load(&even_[node]), load(&odd_[node])};
     Rates rates;
     for (int lane = 0; lane < pack_size; ++lane) {
       rates.even[lane] = even_[node + std::min(lane, n_lanes - 1)];

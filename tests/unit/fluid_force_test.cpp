@@ -62,8 +62,7 @@ TEST_P(FluidForce, adds_up_and_is_cleared) {
   EXPECT_EQ(largest({fluid->force().begin(), fluid->force().end()}), 0.0);
 }
 
-// A solver whose force was added and cleared goes on as one that never had it.
-/// Two capsules share a row: the second may add to the left of the first.
+// Two capsules share a row: the second may add to the left of the first.
 TEST_P(FluidForce, acts_and_is_cleared_whatever_the_order_of_nodes) {
   const auto ascending = make(periodic_box()), descending = make(periodic_box());
   ascending->add_force(std::vector<std::int64_t>{3, 8}, Numbers{1e-3, 2e-3, 3e-3, -4e-3, 5e-3, 6e-3});
@@ -77,6 +76,45 @@ TEST_P(FluidForce, acts_and_is_cleared_whatever_the_order_of_nodes) {
             Numbers(3 * periodic_box().shape.size(), 0.0));
 }
 
+// The fast solver keeps the velocity that a step met where it was pushed: nothing may show whether it looks
+// there or computes it anew, as moments() does. Rows of 19 nodes end in a pack of three.
+TEST_P(FluidForce, velocity_is_that_of_the_moments_to_the_last_bit) {
+  for (const bool inertia : {true, false}) {
+    for (const Vector body_force : {Vector{0, 0, 0}, Vector{1e-4, -2e-4, 3e-4}}) {
+      auto settings = periodic_box();
+      settings.shape = {19, 6, 5};
+      settings.walls = moving_walls(2);
+      settings.inertia = inertia;
+      settings.body_force = body_force;
+      const auto fluid = make(settings);
+      const auto nodes = all_nodes(settings.shape);
+      const auto expect_the_same = [&](const std::string& when) {
+        Numbers velocity(3 * nodes.size());
+        fluid->velocity(nodes, velocity);
+        EXPECT_EQ(velocity, moments(*fluid).velocity) << when;
+      };
+      disturb(*fluid);
+      const auto start = fluid->state();
+      for (unsigned turn = 0; turn < 3; ++turn) {
+        const auto forces = some_forces(settings.shape, turn);
+        fluid->clear_force();
+        expect_the_same("cleared");
+        fluid->add_force(forces.nodes, forces.force);
+        expect_the_same("added");
+        fluid->step();
+        expect_the_same("after a step");
+      }
+      const auto more = some_forces(settings.shape, 7);
+      fluid->add_force(more.nodes, more.force);
+      expect_the_same("added after a step");
+      fluid->step();
+      fluid->restore(start);
+      expect_the_same("restored");
+    }
+  }
+}
+
+// A solver whose force was added and cleared goes on as one that never had it.
 TEST_P(FluidForce, leaves_nothing_behind_when_cleared) {
   const auto fluid = make(periodic_box()), untouched = make(periodic_box());
   disturb(*fluid);
