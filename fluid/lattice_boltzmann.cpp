@@ -89,7 +89,7 @@ class LatticeBoltzmann final : public Fluid {
 
   double step() override {
     const Turn turn = next_turn();
-    kept_velocity_.begin_step();
+    kept_velocity_.forget();
     const double highest_squared = settings_.inertia ? sweep<true>(turn) : sweep<false>(turn);
     ++step_;
     return std::sqrt(highest_squared);
@@ -155,7 +155,7 @@ class LatticeBoltzmann final : public Fluid {
       for (std::int64_t row = 0; row < n_rows; ++row) {
         SpeedWatch watch;
         const int y = static_cast<int>(row % ny), z = static_cast<int>(row / ny);
-        if (force_.has_body_force() || force_.added_in(row)) {
+        if (force_.may_act_in(row)) {
           sweep_row<inertia, true>(turn, y, z, watch);
         } else {
           sweep_row<inertia, false>(turn, y, z, watch);
@@ -174,56 +174,57 @@ class LatticeBoltzmann final : public Fluid {
   template <bool inertia, bool may_have_force>
   void sweep_row(Turn turn, int y, int z, SpeedWatch& watch) {
     const int nx = settings_.shape.nx;
+    const std::int64_t row = std::int64_t{z} * settings_.shape.ny + y;
     if (lattice_.walls()) return_from_walls(turn, y, z);
     RowSlots slots;
     for (int i = 0; i < n_directions; ++i) slots[i] = lattice_.row_slot(turn, i, y, z);
 
     for (int x = 0; x < nx; x += pack_size) {
-      const std::int64_t node = settings_.shape.index(x, y, z);
       const bool at_end = x + pack_size > nx || (turn == Turn::streaming && (x == 0 || x + pack_size == nx));
       if constexpr (may_have_force) {
-        const bool added = force_.added_to(node, std::min(pack_size, nx - x));
-        if (added || force_.has_body_force()) {
+        if (force_.has_body_force() || force_.added_to(row, x, std::min(pack_size, nx - x))) {
           if (at_end)
-            collide_pushed<inertia>(EndPack(lattice_, turn, slots, x, y, z), node, watch, added);
+            push<inertia>(EndPack(lattice_, turn, slots, x, y, z), row, x, watch);
           else
-            collide_pushed<inertia>(WholePack{slots, x}, node, watch, added);
+            push<inertia>(WholePack{slots, x}, row, x, watch);
           continue;
         }
       }
       if (at_end)
-        collide_end<inertia>(EndPack(lattice_, turn, slots, x, y, z), node, watch);
+        collide_end<inertia>(EndPack(lattice_, turn, slots, x, y, z), row, x, watch);
       else
-        collide_at<inertia, false>(WholePack{slots, x}, node, PackForce{}, watch);
+        collide_at<inertia, false>(WholePack{slots, x}, row, x, PackForce{}, watch);
     }
   }
 
-  /// Kept out of the loop over whole packs without a force, whose code stays small that way.
+  // Two kinds of pack are kept out of the loop over whole packs without a force, whose code stays small that
+  // way.
+
   template <bool inertia>
-  __attribute__((noinline)) void collide_end(const EndPack& at, std::int64_t node, SpeedWatch& watch) {
-    collide_at<inertia, false>(at, node, PackForce{}, watch);
+  __attribute__((noinline)) void collide_end(const EndPack& at, std::int64_t row, int x, SpeedWatch& watch) {
+    collide_at<inertia, false>(at, row, x, PackForce{}, watch);
   }
 
-  /// The same for packs with a force; the velocity where forces were added is kept.
+  /// Collides a pack with a force, and keeps its velocity if the force was added.
   template <bool inertia, typename SomePack>
-  __attribute__((noinline)) void collide_pushed(const SomePack& at, std::int64_t node, SpeedWatch& watch,
-                                                bool added) {
-    const PackForce force = force_.pack(node, at.n_lanes());
-    collide_at<inertia, true>(at, node, force, watch);
+  __attribute__((noinline)) void push(const SomePack& at, std::int64_t row, int x, SpeedWatch& watch) {
+    const bool added = force_.added_to(row, x, at.n_lanes());
+    const PackForce force = added ? force_.total(row, x, at.n_lanes()) : force_.body_force();
+    collide_at<inertia, true>(at, row, x, force, watch);
     if (!added) return;
     PackPopulations outgoing;
     at.load_outgoing(outgoing);
-    const auto moments = outgoing_moments<Pack>(outgoing, {force.x, force.y, force.z}, inertia);
-    kept_velocity_.put(node / settings_.shape.nx, node % settings_.shape.nx, moments.velocity);
+    kept_velocity_.put(row, x,
+                       outgoing_moments<Pack>(outgoing, {force.x, force.y, force.z}, inertia).velocity);
   }
 
   template <bool inertia, bool forced, typename SomePack>
-  __attribute__((always_inline)) void collide_at(const SomePack& at, std::int64_t node,
+  __attribute__((always_inline)) void collide_at(const SomePack& at, std::int64_t row, int x,
                                                  const PackForce& force, SpeedWatch& watch) {
     PackPopulations f;
     at.load_to(f);
-    collide<inertia, forced>(f, rates_.pack(node, at.n_lanes()), force, limit_squared_, watch,
-                             [&](int i, Pack outgoing) { at.put(i, outgoing); });
+    collide<inertia, forced>(f, rates_.pack(row * settings_.shape.nx + x, at.n_lanes()), force,
+                             limit_squared_, watch, [&](int i, Pack outgoing) { at.put(i, outgoing); });
   }
 
   /// What moving walls give to the populations they send back, added where the step will find these.

@@ -1,6 +1,7 @@
 // The lattice Boltzmann solver: D3Q19, two relaxation times, Guo forcing, half-way moving walls.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -54,8 +55,8 @@ std::unique_ptr<Fluid> make_lattice_boltzmann(const LatticeBoltzmannSettings& se
 /// Bytes that a step must move to and from memory for each node without a force: 2 x 19 doubles.
 inline constexpr int lattice_boltzmann_bytes_per_node = 2 * 19 * 8;
 
-/// Bytes of memory a node takes (populations, force; padding, and 24 more where each node has its viscosity,
-/// left out).
+/// Bytes of memory a node takes (populations, force; left out: padding, 25 more on nodes around which forces
+/// have acted, and 24 where each node has its viscosity).
 inline constexpr int lattice_boltzmann_memory_per_node = (19 + 3) * 8;
 
 }  // namespace tanktread::fluid

@@ -23,8 +23,7 @@ struct Moments {
 /// The moments that a collision met, from what went out of it: f[i] along direction i. A collision adds the
 /// force F to the momentum sum f c, so that with outgoing populations u = (sum f c - F/2)/rho.
 ///
-/// Every product here is exact (by 1, -1 or a half): node and pack agree to the last bit, whether or not the
-/// compiler fuses it with the sum.
+/// Node and pack agree to the last bit: the sums are the same, in the same order.
 template <typename Number>
 Moments<Number> outgoing_moments(const Number (&f)[d3q19::n_directions], const std::array<Number, 3>& force,
                                  bool inertia) {

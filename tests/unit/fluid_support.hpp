@@ -119,7 +119,10 @@ struct NodeForces {
 };
 inline NodeForces some_forces(const GridShape& shape, unsigned seed = 3) {
   NodeForces forces;
-  for (std::int64_t node = shape.size() / 2; node < shape.size(); node += 3) forces.nodes.push_back(node);
+  for (std::int64_t node = shape.size() / 2; node < shape.size(); node += 3) {
+    const std::int64_t row = node / shape.nx, pack = node % shape.nx / 8;
+    if ((row + pack) % 2 == 0) forces.nodes.push_back(node);
+  }
   forces.force = random_numbers(3 * forces.nodes.size(), 1e-3, seed);
   return forces;
 }
