@@ -2,8 +2,9 @@
 
 import pathlib
 
-from . import compare, first_peak, small_deformation
+from . import compare, first_peak, series, small_deformation
 from .reference import read_comparison
+from .run_folder import is_run
 
 COMPARED = ("value", "slope", "change")
 
@@ -22,6 +23,18 @@ def draw(output, case=None):
     if "first_peak" in wanted:
         return plot_first_peak.plot_first_peak(output, case)
     return plot.plot_observables(output, case)
+
+
+def reached_snapshots(output, case):
+    """The [[snapshot]] entries that their runs have reached: each with the folder of the run and the time of the nearest membrane."""
+    reached = []
+    for entry in read_comparison(case).get("snapshot", []):
+        run = pathlib.Path(output) / entry["run"]
+        membranes, wanted = run / "membrane.pvd", entry["shear_time"]
+        last = series.at(membranes, None) if is_run(run) else None
+        if last is not None and last[0] >= wanted:
+            reached.append((entry, run, series.at(membranes, wanted)[0]))
+    return reached
 
 
 def judge(output, case):

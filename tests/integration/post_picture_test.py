@@ -6,9 +6,9 @@ import unittest.mock
 
 import matplotlib.image
 import numpy
-from post_fixture import ROOT, InFolder, write_pictures, write_run
+from post_fixture import ROOT, InFolder, write_pictures, write_run, write_series
 
-from tanktread_post import plot
+from tanktread_post import case_results, plot
 
 
 class Plots(InFolder):
@@ -21,6 +21,19 @@ class Plots(InFolder):
         write_run(self.folder / "out/a")
         write_run(self.folder / "out/b")
         self.assertEqual([file.name for file in plot.plot_observables(self.folder / "out")], ["deformation.png", "inclination.png"])
+
+    def test_a_snapshot_is_of_the_nearest_membrane_and_not_of_a_run_that_has_yet_to_get_there(self):
+        case, output = self.folder / "case", self.folder / "out"
+        case.mkdir()
+        times = {"a": [2.0, 4.0, 4.5], "b": [2.0, 4.0]}
+        (case / "compare.toml").write_text(
+            "title = 'snapshots'\n" + "".join(f"[[snapshot]]\nrun = '{run}'\nshear_time = 4.17\nlabel = 'of {run}'\n" for run in ["a", "b", "c"])
+        )
+        for run, of_run in times.items():
+            write_run(output / run)
+            write_series(output / run / "membrane.pvd", [(time, f"membrane_{time}.vtu") for time in of_run])
+        reached = [(entry["label"], run.name, time) for entry, run, time in case_results.reached_snapshots(output, case)]
+        self.assertEqual(reached, [("of a", "a", 4.0)])
 
     def test_says_that_nothing_is_there(self):
         self.assert_refused("neither the output of a run", plot.plot_observables, self.folder)
