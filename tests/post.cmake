@@ -32,6 +32,7 @@ tanktread_python_test(post_paraview DISPLAY)
 tanktread_python_test(post_picture DISPLAY)
 tanktread_python_test(post_small_deformation)
 tanktread_python_test(post_study)
+tanktread_python_test(post_viscous_capsule)
 
 add_test(NAME include_graph
   COMMAND ${TANKTREAD_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/integration/include_graph.py ${PROJECT_SOURCE_DIR})

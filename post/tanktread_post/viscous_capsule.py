@@ -1,0 +1,38 @@
+"""The steady shape of a capsule with a viscous membrane in shear flow, for small deformation.
+
+To first order the membrane of a sphere moves in shear flow as a rigid one turns, at g/2, and strains by a second spherical
+harmonic. With Y = n.E.n/g, E the rate of strain of the flow, its displacement is a (w Y e_r + v grad_s Y) (grad_s of the unit
+sphere). In units of a, of the viscosity mu_o (lambda = 1) and of 1/g:
+
+- Membrane: T = K tr(e) P + 2 G (e - tr(e) P/2) gives the fluid the force f = div_s T,
+      f_r = -4 K w + 12 K v along Y e_r,   f_t = 2 K w - (6 K + 4 G) v along grad_s Y.
+- Fluid: grad_s Y - 3 Y e_r and grad_s Y + 2 Y e_r are eigenfunctions of the single layer of a sphere (Stokes flow inside and
+  out), with the values 2/35 and 1/5.
+- The flow without a membrane has (1, 1/2) for (w, v).
+
+Seen from an element, which turns at -1/2, the steady shape turns the other way: harmonics of the shear plane go as exp(i t), so
+the membrane answers with the moduli G = G_s + i mu_s, K = K_s + i mu_d, and
+
+    i (w, v) = q_E (1, 1/2) + M(G, K) (w, v),   q_E = i/2 (the complex amplitude (E_xx - E_yy)/2 + i E_xy),
+
+with M the product of the two steps above. D is |w|, and the inclination half its argument. Without viscosity and for Ca to 0, D is
+(5/8) Ca_G (3 + G_s/K_s), that of Barthes-Biesel and Rallison (1981), at 45 degrees. The shape is taken to first order in D: Ca_G is
+small, while Ca_G Bq need not be.
+"""
+
+import cmath
+import math
+
+import numpy
+
+
+def steady_state(capillary_number, boussinesq_shear=0.0, boussinesq_dilatational=0.0, area_modulus=3.0):
+    """(D, inclination in degrees). Capillary number by G_s; area_modulus = K_s/G_s (3: Skalak with C = 1, neo-Hookean)."""
+    shear = 1 / capillary_number + 1j * boussinesq_shear
+    area = area_modulus / capillary_number + 1j * boussinesq_dilatational
+    force = numpy.array([[-4 * area, 12 * area], [2 * area, -(6 * area + 4 * shear)]])  # (f_r, f_t) of (w, v)
+    to_eigenfunctions = numpy.array([[-1, 2], [1, 3]]) / 5  # of (f_r, f_t)
+    velocity = numpy.array([[-3, 2], [1, 1]]) @ numpy.diag([2 / 35, 1 / 5])  # (radial, tangential) of these
+    mobility = velocity @ to_eigenfunctions @ force
+    w, _ = numpy.linalg.solve(1j * numpy.eye(2) - mobility, 0.5j * numpy.array([1, 0.5]))
+    return abs(w), math.degrees(cmath.phase(w)) / 2

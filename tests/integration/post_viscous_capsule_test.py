@@ -1,0 +1,36 @@
+"""Tests of the theory of a viscous capsule at small deformation."""
+
+import csv
+import unittest
+
+from post_fixture import ROOT, InFolder
+
+from tanktread_post.viscous_capsule import steady_state
+
+
+class SteadyState(InFolder):
+    # The next order is a share of Ca of D and of 45 degrees: 1e-6 of them at Ca = 1e-6.
+    def test_without_viscosity_is_the_limit_of_barthes_biesel_and_rallison(self):
+        for area_modulus in (0.5, 1, 3, 20):
+            deformation, inclination = steady_state(1e-6, area_modulus=area_modulus)
+            self.assertAlmostEqual(deformation / 1e-6, 5 / 8 * (3 + 1 / area_modulus), delta=1e-5)
+            self.assertAlmostEqual(inclination, 45, delta=1e-3)
+
+    def test_a_membrane_so_viscous_that_its_elasticity_does_not_matter_is_steady_along_the_flow(self):
+        # The membrane turns while its strain rate lags behind its stress by a quarter of a turn: 45 degrees less 45.
+        deformation, inclination = steady_state(1e4, boussinesq_shear=1e6, boussinesq_dilatational=3e6)
+        self.assertAlmostEqual(deformation * 1e6, 25 / 12, delta=1e-4)
+        self.assertAlmostEqual(inclination, 0, delta=1e-3)
+
+    def test_the_reference_of_the_case_is_this_theory(self):
+        lines = (ROOT / "cases/small-deformation-viscous/reference/theory.csv").read_text().splitlines()
+        rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+        self.assertEqual(len(rows), 5)
+        for row in rows:
+            deformation, inclination = steady_state(0.02, float(row["bq_s"]), float(row["bq_d"]))
+            self.assertAlmostEqual(deformation, float(row["deformation"]), delta=1e-6)
+            self.assertAlmostEqual(inclination, float(row["inclination_deg"]), delta=1e-4)
+
+
+if __name__ == "__main__":
+    unittest.main()
