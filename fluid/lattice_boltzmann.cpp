@@ -182,11 +182,12 @@ class LatticeBoltzmann final : public Fluid {
     for (int x = 0; x < nx; x += pack_size) {
       const bool at_end = x + pack_size > nx || (turn == Turn::streaming && (x == 0 || x + pack_size == nx));
       if constexpr (may_have_force) {
-        if (force_.has_body_force() || force_.added_to(row, x, std::min(pack_size, nx - x))) {
+        const bool added = force_.added_to(row, x, std::min(pack_size, nx - x));
+        if (added || force_.has_body_force()) {
           if (at_end)
-            push<inertia>(EndPack(lattice_, turn, slots, x, y, z), row, x, watch);
+            push<inertia>(EndPack(lattice_, turn, slots, x, y, z), row, x, added, watch);
           else
-            push<inertia>(WholePack{slots, x}, row, x, watch);
+            push<inertia>(WholePack{slots, x}, row, x, added, watch);
           continue;
         }
       }
@@ -207,8 +208,8 @@ class LatticeBoltzmann final : public Fluid {
 
   /// Collides a pack with a force, and keeps its velocity if the force was added.
   template <bool inertia, typename SomePack>
-  __attribute__((noinline)) void push(const SomePack& at, std::int64_t row, int x, SpeedWatch& watch) {
-    const bool added = force_.added_to(row, x, at.n_lanes());
+  __attribute__((noinline)) void push(const SomePack& at, std::int64_t row, int x, bool added,
+                                      SpeedWatch& watch) {
     const PackForce force = added ? force_.total(row, x, at.n_lanes()) : force_.body_force();
     collide_at<inertia, true>(at, row, x, force, watch);
     if (!added) return;

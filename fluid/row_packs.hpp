@@ -35,7 +35,8 @@ struct WholePack {
 /// A pack at an end of a row: some of its nodes reach round the box (or meet a wall across x), some may lie
 /// beyond the row. Along the directions for which its slots lie side by side it is read and written whole,
 /// else by lanes.
-struct EndPack {
+class EndPack {
+ public:
   EndPack(const PopulationLattice& lattice, Turn turn, const RowSlots& slots, int x, int y, int z)
       : n_lanes_(std::min(pack_size, lattice.shape().nx - x)) {
     const int nx = lattice.shape().nx;

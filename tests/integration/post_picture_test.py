@@ -35,6 +35,11 @@ class Plots(InFolder):
         reached = [(entry["label"], run.name, time) for entry, run, time in case_results.reached_snapshots(output, case)]
         self.assertEqual(reached, [("of a", "a", 4.0)])
 
+        from tanktread_post import snapshots
+
+        (output / "a/membrane.pvd").unlink()
+        self.assert_refused(["has come to", "compare.toml"], snapshots.draw_snapshots, output, case)
+
     def test_says_that_nothing_is_there(self):
         self.assert_refused("neither the output of a run", plot.plot_observables, self.folder)
 
