@@ -62,12 +62,12 @@ std::vector<double> computed_stress(const MaxwellStudy& study) {
   require_valid(study);
   const membrane::ViscousLaw law = law_of(study);
   membrane::ViscousState state{};
-  Eigen::Matrix2d last = Eigen::Matrix2d::Zero(), next = last;
+  membrane::SymmetricTensor last, next;
   std::vector<double> stress;
   for (int step = 1; step <= n_steps(study); ++step) {
-    next(0, 1) = next(1, 0) = strain(study, step * study.time_step);
+    next.xy = strain(study, step * study.time_step);
     law.advance(last, next, state);
-    stress.push_back(membrane::ViscousLaw::stress(state)(0, 1));
+    stress.push_back(membrane::ViscousLaw::stress(state).xy);
     last = next;
   }
   return stress;

@@ -117,15 +117,14 @@ Eigen::Matrix3d corners_of(const membrane::TriangleMesh& mesh, const Eigen::Matr
 Eigen::Matrix3d strain_rate(const membrane::ReferenceElement& reference, const Eigen::Matrix3d& before,
                             const Eigen::Matrix3d& now, membrane::StressMeasure measure) {
   const auto gradient = membrane::deformation_gradient(now, reference);
-  const Eigen::Matrix2d c = membrane::cauchy_green(gradient);
-  const Eigen::Matrix2d c_before = membrane::cauchy_green(membrane::deformation_gradient(before, reference));
-  Eigen::Matrix2d rate = 0.5 * (c - c_before);
+  const auto c = membrane::cauchy_green(gradient);
+  const auto c_before = membrane::cauchy_green(membrane::deformation_gradient(before, reference));
+  auto rate = 0.5 * (c - c_before);
   if (measure == membrane::StressMeasure::rate_of_deformation) {
-    const Eigen::Matrix2d inverse = membrane::right_stretch(0.5 * (c + c_before)).inverse();
-    rate = inverse * rate * inverse;
+    rate = membrane::on_both_sides(membrane::right_stretch(0.5 * (c + c_before)).inverse, rate);
   }
   const auto rotation = membrane::polar_rotation(gradient, membrane::right_stretch(c));
-  return rotation * rate * rotation.transpose();
+  return rotation * rate.matrix() * rotation.transpose();
 }
 
 /// Adds the squares of the components of `tensor`, whose theta-phi component should be `exact` and the others

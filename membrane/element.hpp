@@ -4,10 +4,10 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <cmath>
 
 #include "membrane/elastic_law.hpp"
+#include "membrane/symmetric_tensor.hpp"
 
 namespace tanktread::membrane {
 
@@ -49,61 +49,70 @@ inline SurfaceGradient deformation_gradient(const Eigen::Matrix3d& corners, cons
 }
 
 /// Right Cauchy-Green tensor Cg = F^T F, called c below; the Green strain is E = (Cg - I)/2 (Eq. 2.8).
-inline Eigen::Matrix2d cauchy_green(const SurfaceGradient& gradient) {
-  return gradient.transpose() * gradient;
+inline SymmetricTensor cauchy_green(const SurfaceGradient& gradient) {
+  const auto x = gradient.col(0), y = gradient.col(1);
+  return {x.dot(x), x.dot(y), y.dot(y)};
 }
 
 /// Principal stretches lambda1 >= lambda2, the square roots of the eigenvalues of Cg.
-inline Eigen::Vector2d principal_stretches(const Eigen::Matrix2d& c) {
-  const double largest = 0.5 * c.trace() + std::hypot(0.5 * (c(0, 0) - c(1, 1)), c(0, 1));
+inline Eigen::Vector2d principal_stretches(const SymmetricTensor& c) {
+  const double largest = 0.5 * c.trace() + std::hypot(0.5 * (c.xx - c.yy), c.xy);
   // The smaller square from the product of both, not from a difference that loses digits.
   return {std::sqrt(largest), std::sqrt(c.determinant() / largest)};
 }
 
 /// Invariants of the strain (Eq. 2.5).
-inline Invariants invariants(const Eigen::Matrix2d& c) {
+inline Invariants invariants(const SymmetricTensor& c) {
   return {c.trace() - 2.0, c.determinant() - 1.0};
 }
 
-/// Right stretch tensor U of F = R U, U^2 = Cg, in closed form: by Cayley-Hamilton in two dimensions
-/// U = (Cg + J I)/sqrt(tr Cg + 2 J) with J = det U = sqrt(det Cg).
-inline Eigen::Matrix2d right_stretch(const Eigen::Matrix2d& c) {
+/// Right stretch tensor U of F = R U, U^2 = Cg, by what is needed of it.
+struct RightStretch {
+  SymmetricTensor inverse;  ///< U^-1
+  double area_ratio;        ///< J = det U
+};
+
+/// In closed form: by Cayley-Hamilton in two dimensions U = (Cg + J I)/t, t = tr U = sqrt(tr Cg + 2 J) with
+/// J = sqrt(det Cg), and so U^-1 = (adj Cg + J I)/(J t).
+inline RightStretch right_stretch(const SymmetricTensor& c) {
   const double area_ratio = std::sqrt(c.determinant());
-  return (c + area_ratio * Eigen::Matrix2d::Identity()) / std::sqrt(c.trace() + 2.0 * area_ratio);
+  const double scale = 1.0 / (area_ratio * std::sqrt(c.trace() + 2.0 * area_ratio));
+  return {scale * SymmetricTensor{c.yy + area_ratio, -c.xy, c.xx + area_ratio}, area_ratio};
 }
 
 /// Polar rotation R = F U^-1: its two orthonormal columns are the axes of the frame that turns with the
 /// element, in space.
-inline SurfaceGradient polar_rotation(const SurfaceGradient& gradient, const Eigen::Matrix2d& stretch) {
-  return gradient * stretch.inverse();
+inline SurfaceGradient polar_rotation(const SurfaceGradient& gradient, const RightStretch& stretch) {
+  return gradient * stretch.inverse.matrix();
 }
 
 /// Second Piola-Kirchhoff stress of an elastic response, S = 2 (W_1 I + W_2 adj Cg).
-inline Eigen::Matrix2d second_piola_kirchhoff(const Eigen::Matrix2d& c, const ElasticResponse& response) {
-  Eigen::Matrix2d stress;
-  stress << response.w1 + response.w2 * c(1, 1), -response.w2 * c(0, 1), -response.w2 * c(1, 0),
-      response.w1 + response.w2 * c(0, 0);
-  return 2.0 * stress;
+inline SymmetricTensor second_piola_kirchhoff(const SymmetricTensor& c, const ElasticResponse& response) {
+  return 2.0 * SymmetricTensor{response.w1 + response.w2 * c.yy, -response.w2 * c.xy,
+                               response.w1 + response.w2 * c.xx};
 }
 
 /// Second Piola-Kirchhoff stress of a Cauchy stress s given in the frame of the polar rotation (sigma =
 /// R s R^T in space): S = J F^-1 sigma F^-T = J U^-1 s U^-1.
-inline Eigen::Matrix2d pulled_back(const Eigen::Matrix2d& rotated_cauchy_stress,
-                                   const Eigen::Matrix2d& stretch) {
-  const Eigen::Matrix2d inverse = stretch.inverse();
-  return stretch.determinant() * inverse * rotated_cauchy_stress * inverse;
+inline SymmetricTensor pulled_back(const SymmetricTensor& rotated_cauchy_stress,
+                                   const RightStretch& stretch) {
+  return stretch.area_ratio * on_both_sides(stretch.inverse, rotated_cauchy_stress);
 }
 
 /// Cauchy stress in space, F S F^T / J with J = sqrt(det Cg), force per length.
-inline Eigen::Matrix3d cauchy_stress(const SurfaceGradient& gradient, const Eigen::Matrix2d& stress) {
-  return gradient * stress * gradient.transpose() / std::sqrt(cauchy_green(gradient).determinant());
+inline Eigen::Matrix3d cauchy_stress(const SurfaceGradient& gradient, const SymmetricTensor& stress) {
+  return gradient * stress.matrix() * gradient.transpose() / std::sqrt(cauchy_green(gradient).determinant());
 }
 
 /// Forces on the three corners, -A0 P grad N_a with P = F S (first Piola-Kirchhoff stress), as columns. They
 /// sum to zero, and so do their moments, for S is symmetric.
-inline Eigen::Matrix3d corner_forces(const SurfaceGradient& gradient, const Eigen::Matrix2d& stress,
+inline Eigen::Matrix3d corner_forces(const SurfaceGradient& gradient, const SymmetricTensor& stress,
                                      const ReferenceElement& element) {
-  return -element.area * gradient * stress * element.shape_gradient.transpose();
+  const Eigen::Vector3d x = gradient.col(0), y = gradient.col(1);
+  SurfaceGradient force;  // -A0 P
+  force.col(0) = -element.area * (stress.xx * x + stress.xy * y);
+  force.col(1) = -element.area * (stress.xy * x + stress.yy * y);
+  return force * element.shape_gradient.transpose();
 }
 
 /// Twice the area times the unit normal, outward for counter-clockwise corners.

@@ -5,26 +5,9 @@
 #include <numbers>
 #include <sstream>
 
-#include "membrane/element.hpp"
 #include "membrane/membrane.hpp"
 
 namespace tanktread::membrane {
-namespace {
-
-/// An element of less than this share of its reference area has collapsed: it resolves nothing any more, and
-/// the stress of laws that resist a change of area is about to overflow.
-constexpr double least_area_ratio = 1e-3;
-
-}  // namespace
-
-bool ElementCheck::take(Eigen::Index element, const Eigen::Matrix3d& corners, double reference_area) {
-  const Eigen::Vector3d normal = area_normal(corners);
-  next_normals_.col(element) = normal;
-  const double area = 0.5 * normal.norm();  // not finite as soon as one position is not
-  return area >= least_area_ratio * reference_area && std::isfinite(area) &&
-         normal.dot(normals_.col(element)) > 0;
-}
-
 void ElementCheck::report(Eigen::Index element, const Eigen::Vector3i& nodes, const Eigen::Matrix3d& corners,
                           double reference_area) const {
   const double ratio = 0.5 * area_normal(corners).norm() / reference_area;

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
+
+#include "membrane/element.hpp"
 
 namespace tanktread::membrane {
 
@@ -14,7 +17,13 @@ class ElementCheck {
   /// Takes the corners (as columns) of an element at the new time. False if it has less than a thousandth of
   /// its reference area, its normal has turned by a right angle or more since the last step that was
   /// accepted, or a corner is not finite.
-  bool take(Eigen::Index element, const Eigen::Matrix3d& corners, double reference_area);
+  bool take(Eigen::Index element, const Eigen::Matrix3d& corners, double reference_area) {
+    const Eigen::Vector3d normal = area_normal(corners);
+    next_normals_.col(element) = normal;
+    const double area = 0.5 * normal.norm();  // not finite as soon as one position is not
+    return area >= least_area_ratio * reference_area && std::isfinite(area) &&
+           normal.dot(normals_.col(element)) > 0;
+  }
 
   /// The normals that were taken become those of the last step.
   void accept() { normals_.swap(next_normals_); }
@@ -29,6 +38,10 @@ class ElementCheck {
                            double reference_area) const;
 
  private:
+  /// An element of less than this share of its reference area has collapsed: it resolves nothing any more,
+  /// and the stress of laws that resist a change of area is about to overflow.
+  static constexpr double least_area_ratio = 1e-3;
+
   Eigen::Matrix3Xd normals_, next_normals_;
 };
 

@@ -12,6 +12,7 @@
 #include "membrane/corners_of_node.hpp"
 #include "membrane/element.hpp"
 #include "membrane/element_check.hpp"
+#include "membrane/symmetric_tensor.hpp"
 #include "membrane/viscous_history.hpp"
 
 namespace tanktread::membrane {
@@ -23,11 +24,11 @@ constexpr Eigen::Index block_size = 64;
 struct ElementBlock {
   Eigen::Index begin = 0, size = 0;  ///< first element, number of elements
   std::array<SurfaceGradient, block_size> gradient;
-  std::array<Eigen::Matrix2d, block_size> cauchy_green;
+  std::array<SymmetricTensor, block_size> cauchy_green;
   std::array<Invariants, block_size> invariants;
   std::array<ElasticResponse, block_size> response;
 
-  Eigen::Matrix2d elastic_stress(Eigen::Index k) const {
+  SymmetricTensor elastic_stress(Eigen::Index k) const {
     return second_piola_kirchhoff(cauchy_green[k], response[k]);
   }
 };
@@ -73,7 +74,7 @@ struct Membrane::Implementation {
   }
 
   /// Viscous part of the second Piola-Kirchhoff stress of element `t`, from its history.
-  Eigen::Matrix2d viscous_stress(Eigen::Index t, const Eigen::Matrix2d& cauchy_green) const {
+  SymmetricTensor viscous_stress(Eigen::Index t, const SymmetricTensor& cauchy_green) const {
     return pulled_back(viscous->stress(t), right_stretch(cauchy_green));
   }
 
@@ -92,9 +93,9 @@ struct Membrane::Implementation {
     const ElementBlock block = evaluated(number);
     for (Eigen::Index k = 0; k < block.size; ++k) {
       const Eigen::Index t = block.begin + k;
-      const Eigen::Matrix2d& c = block.cauchy_green[k];
-      viscous->take(t, 0.5 * (c - Eigen::Matrix2d::Identity()));
-      const Eigen::Matrix2d stress = block.elastic_stress(k) + viscous_stress(t, c);
+      const SymmetricTensor& c = block.cauchy_green[k];
+      viscous->take(t, 0.5 * (c - unit_tensor));
+      const SymmetricTensor stress = block.elastic_stress(k) + viscous_stress(t, c);
       forces.middleCols<3>(3 * t) = corner_forces(block.gradient[k], stress, elements[t]);
     }
   }
@@ -257,7 +258,7 @@ ElementFields Membrane::element_fields() const {
     const ElementBlock block = self.evaluated(number);
     for (Eigen::Index k = 0; k < block.size; ++k) {
       const Eigen::Index t = block.begin + k;
-      const Eigen::Matrix2d& c = block.cauchy_green[k];
+      const SymmetricTensor& c = block.cauchy_green[k];
       Eigen::Matrix3d stress = cauchy_stress(block.gradient[k], block.elastic_stress(k));
       if (self.viscous) {
         const Eigen::Matrix3d viscous = cauchy_stress(block.gradient[k], self.viscous_stress(t, c));

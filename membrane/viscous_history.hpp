@@ -2,12 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "membrane/symmetric_tensor.hpp"
 #include "membrane/viscous_law.hpp"
 
 namespace tanktread::membrane {
@@ -27,10 +27,20 @@ class ViscousHistory {
 
   /// Takes the Green strain E of an element at the new time. In every Nth step its stress goes on with the
   /// law; in the steps between, it is kept (in the frame that turns with the element).
-  void take(Eigen::Index element, const Eigen::Matrix2d& strain);
+  void take(Eigen::Index element, const SymmetricTensor& strain) {
+    Element& self = elements_[element];
+    // A sum that starts anew with the first step after an update; one number after the other, so that with
+    // N = 1 the mean is the latest strain to the last bit.
+    self.strain_sum = steps_since_update_ == 1 ? strain : self.strain_sum + strain;
+    if (steps_since_update_ < law_->interval()) return;
+    const SymmetricTensor sample =
+        law_->sampling() == StrainSampling::latest ? strain : mean(self.strain_sum);
+    law_->advance(self.last_strain, sample, self.stress);
+    self.last_strain = sample;
+  }
 
   /// Viscous Cauchy stress of an element in the frame of its polar rotation R, force per length.
-  Eigen::Matrix2d stress(Eigen::Index element) const { return ViscousLaw::stress(elements_[element].stress); }
+  SymmetricTensor stress(Eigen::Index element) const { return ViscousLaw::stress(elements_[element].stress); }
 
   /// Numbers that append_to() appends: one, and nine an element.
   std::size_t n_values() const { return 9 * elements_.size() + 1; }
@@ -46,9 +56,14 @@ class ViscousHistory {
  private:
   struct Element {
     ViscousState stress{};
-    std::array<double, 3> last_strain{};  ///< E11, E12, E22 that entered the last update
-    std::array<double, 3> strain_sum{};   ///< of the steps since, for the moving average
+    SymmetricTensor last_strain;  ///< that entered the last update
+    SymmetricTensor strain_sum;   ///< of the steps since, for the moving average
   };
+
+  SymmetricTensor mean(const SymmetricTensor& sum) const {
+    const double n = law_->interval();
+    return {sum.xx / n, sum.xy / n, sum.yy / n};
+  }
 
   std::shared_ptr<const ViscousLaw> law_;
   std::vector<Element> elements_;

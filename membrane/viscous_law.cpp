@@ -3,8 +3,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "membrane/element.hpp"
-
 namespace tanktread::membrane {
 namespace {
 
@@ -30,25 +28,6 @@ ViscousLaw::ViscousLaw(const ViscousParameters& parameters)
   shear_ = maxwell_step(parameters, "shear", parameters.shear_viscosity, parameters.shear_spring);
   dilatation_ = maxwell_step(parameters, "dilatational", parameters.dilatational_viscosity,
                              parameters.dilatational_spring);
-}
-
-void ViscousLaw::advance(const Eigen::Matrix2d& last_strain, const Eigen::Matrix2d& strain,
-                         ViscousState& state) const {
-  Eigen::Matrix2d increment = strain - last_strain;
-  if (measure_ == StressMeasure::rate_of_deformation) {
-    const Eigen::Matrix2d mean_cauchy_green = Eigen::Matrix2d::Identity() + last_strain + strain;
-    const Eigen::Matrix2d inverse = right_stretch(mean_cauchy_green).inverse();
-    increment = inverse * increment * inverse;
-  }
-  state[0] = shear_.advance(state[0], 0.5 * (increment(0, 0) - increment(1, 1)));
-  state[1] = shear_.advance(state[1], 0.5 * (increment(0, 1) + increment(1, 0)));
-  state[2] = dilatation_.advance(state[2], 0.5 * (increment(0, 0) + increment(1, 1)));
-}
-
-Eigen::Matrix2d ViscousLaw::stress(const ViscousState& state) {
-  Eigen::Matrix2d stress;
-  stress << state[2] + state[0], state[1], state[1], state[2] - state[0];
-  return stress;
 }
 
 }  // namespace tanktread::membrane

@@ -1,11 +1,12 @@
 // Membrane viscosity of an element: the increment of its strain in, its viscous stress out.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <string>
 
+#include "membrane/element.hpp"
 #include "membrane/maxwell.hpp"
+#include "membrane/symmetric_tensor.hpp"
 
 namespace tanktread::membrane {
 
@@ -56,10 +57,22 @@ class ViscousLaw {
   StrainSampling sampling() const { return sampling_; }
 
   /// Carries the stress of an element from strain E at the last update to E now (Green strains, Eq. 2.8).
-  void advance(const Eigen::Matrix2d& last_strain, const Eigen::Matrix2d& strain, ViscousState& state) const;
+  /// Here, to be inlined into the loop over elements.
+  void advance(const SymmetricTensor& last_strain, const SymmetricTensor& strain, ViscousState& state) const {
+    SymmetricTensor increment = strain - last_strain;
+    if (measure_ == StressMeasure::rate_of_deformation) {
+      const SymmetricTensor mean_cauchy_green = unit_tensor + last_strain + strain;
+      increment = on_both_sides(right_stretch(mean_cauchy_green).inverse, increment);
+    }
+    state[0] = shear_.advance(state[0], 0.5 * (increment.xx - increment.yy));
+    state[1] = shear_.advance(state[1], increment.xy);
+    state[2] = dilatation_.advance(state[2], 0.5 * increment.trace());
+  }
 
   /// The Cauchy stress in the frame of R, force per length.
-  static Eigen::Matrix2d stress(const ViscousState& state);
+  static SymmetricTensor stress(const ViscousState& state) {
+    return {state[2] + state[0], state[1], state[2] - state[0]};
+  }
 
  private:
   int interval_;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include "unit/membrane_support.hpp"
 
 namespace tanktread::membrane::test {
@@ -48,15 +50,33 @@ TEST(DeformationGradient, IsTheReferenceFrameAtRestWhereverTheElementIs) {
   const Eigen::Matrix3d moved = triangle.colwise() + Eigen::Vector3d(3, -1, 2);
   const auto gradient = deformation_gradient(moved, reference_element(triangle));
   EXPECT_LT((gradient - reference_axes()).cwiseAbs().maxCoeff(), 3 * rounding);
-  EXPECT_LT((cauchy_green(gradient) - Eigen::Matrix2d::Identity()).cwiseAbs().maxCoeff(), 6 * rounding);
+  EXPECT_LT((cauchy_green(gradient).matrix() - Eigen::Matrix2d::Identity()).cwiseAbs().maxCoeff(),
+            6 * rounding);
+}
+
+TEST(SymmetricTensor, IsTheMatrixOfItsComponents) {
+  const Eigen::Matrix2d a = (Eigen::Matrix2d() << 1.5, 0.3, 0.3, 0.8).finished();
+  const Eigen::Matrix2d b = (Eigen::Matrix2d() << 2.0, -0.7, -0.7, 0.5).finished();
+  const auto as = SymmetricTensor::of(a), bs = SymmetricTensor::of(b);
+  EXPECT_EQ(as.matrix(), a);
+  EXPECT_EQ((as + bs).matrix(), a + b);
+  EXPECT_EQ((as - bs).matrix(), a - b);
+  EXPECT_EQ((2.5 * as).matrix(), 2.5 * a);
+  EXPECT_EQ(unit_tensor.matrix(), Eigen::Matrix2d::Identity());
+  EXPECT_EQ(as.trace(), a.trace());
+  EXPECT_NEAR(as.determinant(), a.determinant(), 2 * epsilon);
+  // Entries below 5 from a dozen roundings.
+  EXPECT_LT((on_both_sides(as, bs).matrix() - a * b * a).cwiseAbs().maxCoeff(), 12 * 5 * epsilon);
 }
 
 TEST(PolarDecomposition, GivesASymmetricStretchAndTwoOrthonormalAxes) {
   const auto gradient = gradient_of_map();
-  const Eigen::Matrix2d c = cauchy_green(gradient), stretch = right_stretch(c);
-  const auto turn = polar_rotation(gradient, stretch);
+  const Eigen::Matrix2d c = cauchy_green(gradient).matrix();
+  const auto found = right_stretch(cauchy_green(gradient));
+  const Eigen::Matrix2d stretch = found.inverse.matrix().inverse();
+  const auto turn = polar_rotation(gradient, found);
+  EXPECT_NEAR(found.area_ratio, stretch.determinant(), 20 * epsilon);
   EXPECT_LT((stretch * stretch - c).cwiseAbs().maxCoeff(), 20 * epsilon);
-  EXPECT_EQ(stretch(0, 1), stretch(1, 0));
   EXPECT_GT(stretch.trace(), 0);
   EXPECT_GT(stretch.determinant(), 0);
   EXPECT_LT((turn * stretch - gradient).cwiseAbs().maxCoeff(), 20 * epsilon);
@@ -68,14 +88,14 @@ TEST(PolarDecomposition, FindsAStretchAndARotationThatWerePutIn) {
   const SurfaceGradient axes = rotation({1, 2, -1}, 2.0).leftCols<2>();
   const SurfaceGradient gradient = axes * stretch;
   const auto found = right_stretch(cauchy_green(gradient));
-  EXPECT_LT((found - stretch).cwiseAbs().maxCoeff(), 20 * epsilon);
+  EXPECT_LT((found.inverse.matrix().inverse() - stretch).cwiseAbs().maxCoeff(), 20 * epsilon);
   EXPECT_LT((polar_rotation(gradient, found) - axes).cwiseAbs().maxCoeff(), 60 * epsilon);
 }
 
 TEST(PrincipalStretches, KeepTheirDigitsWhenOneIsTiny) {
   const Eigen::Matrix2d axes = rotation({0, 0, 1}, 0.6).topLeftCorner<2, 2>();
   const Eigen::Matrix2d stretch = axes * Eigen::Vector2d(3.0, 1e-3).asDiagonal() * axes.transpose();
-  const auto stretches = principal_stretches(stretch * stretch);
+  const auto stretches = principal_stretches(SymmetricTensor::of(stretch * stretch));
   EXPECT_NEAR(stretches[0], 3.0, 20 * epsilon);
   // The determinant of Cg, 9e-6, is a difference of numbers below 20: 20 eps/9 is the error of lambda2
   // squared.
@@ -90,7 +110,9 @@ TEST(PulledBack, IsTheSecondPiolaKirchhoffStressOfACauchyStress) {
   const auto turn = polar_rotation(gradient, stretch);
   const Eigen::Matrix2d stress = (Eigen::Matrix2d() << 2.0, -0.7, -0.7, 0.5).finished();
   const Eigen::Matrix3d in_space = turn * stress * turn.transpose();
-  EXPECT_LT((cauchy_stress(gradient, pulled_back(stress, stretch)) - in_space).cwiseAbs().maxCoeff(),
+  EXPECT_LT((cauchy_stress(gradient, pulled_back(SymmetricTensor::of(stress), stretch)) - in_space)
+                .cwiseAbs()
+                .maxCoeff(),
             200 * epsilon);
 }
 
@@ -100,8 +122,7 @@ TEST(CornerForces, OfAnEvenTensionAreMinusTheDerivativeOfTheArea) {
   const Eigen::Matrix3d corners = map * triangle;
   const auto gradient = gradient_of_map();
   const double tension = 1.7;
-  const auto stress =
-      pulled_back(tension * Eigen::Matrix2d::Identity(), right_stretch(cauchy_green(gradient)));
+  const auto stress = pulled_back(tension * unit_tensor, right_stretch(cauchy_green(gradient)));
   const auto force = corner_forces(gradient, stress, reference_element(triangle));
   const Eigen::Vector3d normal = area_normal(corners).normalized();
   for (int corner = 0; corner < 3; ++corner) {

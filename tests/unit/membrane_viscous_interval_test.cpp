@@ -23,11 +23,11 @@ TEST(ViscousMembrane, BetweenUpdatesTheStressIsKept) {
     const Eigen::Vector3i nodes = sphere.triangles.col(t);
     const auto element = reference_element(corners_of(sphere.points, nodes));
     const SurfaceGradient f = deformation_gradient(corners_of(membrane.positions(), nodes), element);
-    const Eigen::Matrix2d c = cauchy_green(f);
+    const auto c = cauchy_green(f);
     ViscousState state{};
-    ViscousLaw(parameters).advance(Eigen::Matrix2d::Zero(), 0.5 * (c - Eigen::Matrix2d::Identity()), state);
+    ViscousLaw(parameters).advance({}, 0.5 * (c - unit_tensor), state);
     const SurfaceGradient r = polar_rotation(f, right_stretch(c));
-    const Eigen::Matrix3d expected = r * ViscousLaw::stress(state) * r.transpose();
+    const Eigen::Matrix3d expected = r * ViscousLaw::stress(state).matrix() * r.transpose();
     const Eigen::Matrix3d stress = Eigen::Map<const Eigen::Matrix3d>(fields.viscous_stress.col(t).data());
     ASSERT_GT(expected.norm(), 0.01);
     EXPECT_LT((stress - expected).norm(), 1e-13);  // rounding of numbers of size 1, a few dozen operations

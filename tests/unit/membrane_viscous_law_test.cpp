@@ -21,8 +21,8 @@ ViscousParameters stiff(double shear_viscosity, double dilatational_viscosity) {
   return parameters;
 }
 
-Eigen::Matrix2d green_strain(const Eigen::Matrix2d& gradient) {
-  return 0.5 * (gradient.transpose() * gradient - Eigen::Matrix2d::Identity());
+SymmetricTensor green_strain(const Eigen::Matrix2d& gradient) {
+  return 0.5 * (SymmetricTensor::of(gradient.transpose() * gradient) - unit_tensor);
 }
 
 TEST(ViscousLaw, IsTheSurfaceFluidOfBoussinesqAndScriven) {
@@ -32,26 +32,24 @@ TEST(ViscousLaw, IsTheSurfaceFluidOfBoussinesqAndScriven) {
   Eigen::Matrix2d rate;
   rate << 2e-6, 0.7e-6, 0.7e-6, -0.5e-6;
   ViscousState state{};
-  ViscousLaw(stiff(mu_s, mu_d)).advance(Eigen::Matrix2d::Zero(), rate, state);
+  ViscousLaw(stiff(mu_s, mu_d)).advance({}, SymmetricTensor::of(rate), state);
   const Eigen::Matrix2d identity = Eigen::Matrix2d::Identity();
   const Eigen::Matrix2d expected =
       mu_s * (2.0 * rate - rate.trace() * identity) + mu_d * rate.trace() * identity;
-  EXPECT_LT((ViscousLaw::stress(state) - expected).norm(), 4e-6 * expected.norm());
+  EXPECT_LT((ViscousLaw::stress(state).matrix() - expected).norm(), 4e-6 * expected.norm());
 }
 
 TEST(ViscousLaw, PartsAreIndependent) {
-  Eigen::Matrix2d shear, dilatation;
-  shear << 1e-3, 2e-3, 2e-3, -1e-3;
-  dilatation << 1e-3, 0, 0, 1e-3;
+  const SymmetricTensor shear = {1e-3, 2e-3, -1e-3}, dilatation = {1e-3, 0, 1e-3};
   ViscousParameters parameters = stiff(1, 0);
   parameters.measure = StressMeasure::rate_of_strain;  // linear: the parts do not mix at finite strain either
   ViscousState state{};
-  ViscousLaw(parameters).advance(Eigen::Matrix2d::Zero(), dilatation, state);
-  EXPECT_EQ(ViscousLaw::stress(state).norm(), 0.0);
+  ViscousLaw(parameters).advance({}, dilatation, state);
+  EXPECT_EQ(ViscousLaw::stress(state).matrix().norm(), 0.0);
   parameters.shear_viscosity = 0;
   parameters.dilatational_viscosity = 1;
-  ViscousLaw(parameters).advance(Eigen::Matrix2d::Zero(), shear, state);
-  EXPECT_EQ(ViscousLaw::stress(state).norm(), 0.0);
+  ViscousLaw(parameters).advance({}, shear, state);
+  EXPECT_EQ(ViscousLaw::stress(state).matrix().norm(), 0.0);
 }
 
 /// A finite stretch and shear in time, smooth, of period 1 in s.
@@ -75,13 +73,13 @@ Eigen::Matrix2d stress_after(const ViscousForm& form, int n) {
   parameters.dilatational_spring = 20.0;
   const ViscousLaw law(parameters);
   ViscousState state{};
-  Eigen::Matrix2d strain = green_strain(motion(0));
+  SymmetricTensor strain = green_strain(motion(0));
   for (int k = 1; k <= n * 5 / 4; ++k) {
-    const Eigen::Matrix2d next = green_strain(motion(static_cast<double>(k) / n));
+    const SymmetricTensor next = green_strain(motion(static_cast<double>(k) / n));
     law.advance(strain, next, state);
     strain = next;
   }
-  return ViscousLaw::stress(state);
+  return ViscousLaw::stress(state).matrix();
 }
 
 class ViscousSchemes : public ::testing::TestWithParam<ViscousForm> {};
@@ -107,9 +105,7 @@ TEST(ViscousLaw, AnEvenGrowthGivesTheSameStressAtAnySize) {
   const double g = 1.001;
   ViscousState at_rest{}, inflated{};
   const ViscousLaw law(stiff(0, 1));
-  const auto strain = [](double stretch) {
-    return Eigen::Matrix2d(0.5 * (stretch * stretch - 1) * Eigen::Matrix2d::Identity());
-  };
+  const auto strain = [](double stretch) { return 0.5 * (stretch * stretch - 1) * unit_tensor; };
   law.advance(strain(1), strain(g), at_rest);
   law.advance(strain(2), strain(2 * g), inflated);
   // 2 mu_d tanh(ln g): short of 2 ln g by 2 (ln g)^3/3 = 6.7e-10.

@@ -53,16 +53,14 @@ Eigen::Matrix3Xd strains(const TriangleMesh& reference, const Eigen::Matrix3Xd& 
   for (Eigen::Index t = 0; t < result.cols(); ++t) {
     const Eigen::Vector3i nodes = reference.triangles.col(t);
     const auto element = reference_element(corners_of(reference.points, nodes));
-    const Eigen::Matrix2d c = cauchy_green(deformation_gradient(corners_of(positions, nodes), element));
-    result.col(t) << 0.5 * (c(0, 0) - 1.0), 0.5 * c(0, 1), 0.5 * (c(1, 1) - 1.0);
+    const auto c = cauchy_green(deformation_gradient(corners_of(positions, nodes), element));
+    result.col(t) << 0.5 * (c.xx - 1.0), 0.5 * c.xy, 0.5 * (c.yy - 1.0);
   }
   return result;
 }
 
-Eigen::Matrix2d tensor(const Eigen::Vector3d& strain) {
-  Eigen::Matrix2d result;
-  result << strain[0], strain[1], strain[1], strain[2];
-  return result;
+SymmetricTensor tensor(const Eigen::Vector3d& strain) {
+  return {strain[0], strain[1], strain[2]};
 }
 
 ElementHistories element_histories(const Membrane& membrane) {

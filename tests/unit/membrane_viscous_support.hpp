@@ -37,7 +37,7 @@ Eigen::Matrix3Xd viscous_forces(Membrane& membrane, const Eigen::Matrix3Xd& posi
 /// Green strains E11, E12, E22, a column an element.
 Eigen::Matrix3Xd strains(const TriangleMesh& reference, const Eigen::Matrix3Xd& positions);
 /// The strain of a column as a tensor.
-Eigen::Matrix2d tensor(const Eigen::Vector3d& strain);
+SymmetricTensor tensor(const Eigen::Vector3d& strain);
 
 /// What Membrane::history() has of the elements, a column an element (ViscousHistory::append_to()).
 struct ElementHistories {

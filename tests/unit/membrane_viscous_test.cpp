@@ -67,12 +67,12 @@ TEST(ViscousMembrane, ForcesDoTheVirtualWorkOfTheStress) {
     const SurfaceGradient f = deformation_gradient(corners_of(x, nodes), element);
     const auto strained = [&](double by) {
       const Eigen::Matrix3Xd displaced = x + by * displacement;
-      return cauchy_green(deformation_gradient(corners_of(displaced, nodes), element));
+      return cauchy_green(deformation_gradient(corners_of(displaced, nodes), element)).matrix();
     };
     const Eigen::Matrix2d strain = (strained(h) - strained(-h)) / (4 * h);
     const Eigen::Matrix3d sigma =
         Eigen::Map<const Eigen::Matrix3d>(fields.viscous_stress.col(t).data());  // symmetric
-    const Eigen::Matrix2d c = cauchy_green(f);
+    const Eigen::Matrix2d c = cauchy_green(f).matrix();
     const Eigen::Matrix<double, 2, 3> inverse = c.inverse() * f.transpose();
     const Eigen::Matrix2d stress = std::sqrt(c.determinant()) * inverse * sigma * inverse.transpose();
     const double part = element.area * (stress * strain).trace();
