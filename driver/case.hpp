@@ -90,6 +90,7 @@ struct CapsuleCase {
 
 struct CouplerCase {
   std::string kernel = "cosine4";
+  bool tangential_correction = false;
 
   bool operator==(const CouplerCase&) const = default;
 };

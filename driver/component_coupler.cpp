@@ -1,4 +1,5 @@
 #include "driver/components.hpp"
+#include "driver/flow_units.hpp"
 
 namespace tanktread::driver {
 
@@ -7,6 +8,12 @@ std::unique_ptr<coupler::Coupler> make_coupler(const Case& the_case) {
   if (the_case.flow.kind != "periodic") grid.periodic[the_case.flow.wall_axis] = false;
   return std::make_unique<coupler::Coupler>(grid, coupler::kernel(the_case.coupler.kernel),
                                             the_case.run.threads);
+}
+
+std::optional<coupler::TangentialCorrection> tangential_correction(const Case& the_case) {
+  if (!the_case.coupler.tangential_correction) return std::nullopt;
+  return coupler::TangentialCorrection(coupler::kernel(the_case.coupler.kernel),
+                                       flow_parameters(the_case).kinematic_viscosity);
 }
 
 }  // namespace tanktread::driver

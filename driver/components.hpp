@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "coupler/coupler.hpp"
+#include "coupler/tangential_correction.hpp"
 #include "driver/capsule_membrane.hpp"
 #include "driver/case.hpp"
 #include "driver/units.hpp"
@@ -17,6 +19,8 @@ std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const FlowParamet
 
 /// The coupler of a case, without stencils.
 std::unique_ptr<coupler::Coupler> make_coupler(const Case& the_case);
+/// What a case adds to the velocity that its coupler interpolates; nothing: it does not ask for that.
+std::optional<coupler::TangentialCorrection> tangential_correction(const Case& the_case);
 
 /// The stress-free mesh of a capsule at its place in the box: a sphere by its level, or a file scaled to the
 /// radius by its volume. @throws InputError if the file is not a surface that can be a membrane

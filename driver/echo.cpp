@@ -89,7 +89,8 @@ void put_run(EchoTable& table, const Subject& subject) {
   const auto& p = subject.parameters;
   const auto n_steps = steps_of(the_case.run.shear_time, p);
   table.section("run");
-  table.row("kernel", the_case.coupler.kernel);
+  table.row("kernel", the_case.coupler.kernel, "",
+            the_case.coupler.tangential_correction ? "with the tangential correction" : "");
   table.row("steps a shear time", fmt::format("{:.1f}", p.steps_per_shear_time),
             in_si(subject, p.steps_per_shear_time, second, "s"), "1/g");
   table.row("steps", fmt::format("{}", n_steps), in_si(subject, static_cast<double>(n_steps), second, "s"),

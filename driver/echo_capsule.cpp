@@ -34,7 +34,8 @@ void put_viscous_part(EchoTable& table, const Subject& subject, const std::strin
     return;
   }
   const double g = subject.parameters.shear_rate, tau = viscosity / spring;
-  const double limit = stable_interval_times_spring(subject.parameters.kinematic_viscosity);
+  const double in_viscosities = stable_spring_over_viscosity(subject.the_case.coupler.tangential_correction);
+  const double limit = in_viscosities * subject.parameters.kinematic_viscosity;
   table.row("Bq_" + part, number(boussinesq), "", fmt::format("mu_{}/(mu_o a)", part));
   table.row("mu_" + part, number(viscosity), in_si(subject, viscosity, newton_second_per_metre, "N s/m"),
             fmt::format("Bq_{} mu_o a", part));
@@ -44,7 +45,7 @@ void put_viscous_part(EchoTable& table, const Subject& subject, const std::strin
   table.row(fmt::format("k_{}'", part), number(spring), in_si(subject, spring, newton_per_metre, "N/m"),
             fmt::format("kappa_{0} g mu_{0}/2", part));
   table.row(fmt::format("N k_{}'", part), number(interval * spring), "",
-            fmt::format("stable up to {:.3g} = 32 mu_o", limit));
+            fmt::format("stable up to {:.3g} = {} mu_o", limit, in_viscosities));
   table.row(fmt::format("largest kappa_{}", part),
             fmt::format("{:.4g}", 2 * limit / (interval * viscosity * g)), "",
             fmt::format("that is stable at N = {}", interval));

@@ -242,6 +242,9 @@ std::vector<Key> coupler_run_output_keys() {
   return {
       key<InCase<&Case::coupler, &CouplerCase::kernel>>("coupler.kernel", "", "discrete delta")
           .one_of(kernel_names()),
+      key<InCase<&Case::coupler, &CouplerCase::tangential_correction>>(
+          "coupler.tangential_correction", "",
+          "gives nodes back the velocity that smoothing takes off them along the membrane"),
       key<InCase<&Case::run, &RunCase::shear_time>>("run.shear_time", "shear times", "end of the run")
           .from(0),
       key<InCase<&Case::run, &RunCase::threads>>("run.threads", "", "OpenMP threads; 0: all")

@@ -3,15 +3,15 @@
 
 namespace tanktread::driver {
 
-/// The largest N k' (interval times spring, lattice units) that is safely stable, 32 mu_o. A spring of
+/// The largest N k' (interval times spring, lattice units) that is safely stable, over mu_o: 32. A spring of
 /// stiffness k' that is held for N steps moves a node by N k' e/mu_o times a length of the kernel; beyond a
 /// number it comes back further than it went. The number is measured, with the kernel cosine4 and a capsule
 /// of 9.5 grid steps, by bisection (docs/viscous-membranes.md): the onset lies at 48 to 70 for N of 5 and
 /// more, and for N = 1 as soon as Bq is 40; a softer dashpot at N = 1 stands more. That is from rest, over
-/// 150 updates: where wrinkles grow a run at 44.6 broke down later, one at 31.8 did not.
-inline double stable_interval_times_spring(double outer_viscosity) {
-  constexpr double measured = 32;
-  return measured * outer_viscosity;
+/// 150 updates: where wrinkles grow a run at 44.6 broke down later, one at 31.8 did not. With the tangential
+/// correction a node moves further under the same force: the onset lies at 12 to 24, and 8 is taken.
+inline double stable_spring_over_viscosity(bool tangential_correction) {
+  return tangential_correction ? 8 : 32;
 }
 
 }  // namespace tanktread::driver

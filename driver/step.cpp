@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "driver/stages/membrane_files.hpp"
 #include "driver/stages/phases.hpp"
 
 namespace tanktread::driver {
@@ -18,6 +19,15 @@ auto timed(double& seconds, Phase phase) {
   return packet;
 }
 
+NodeVectors node_velocity(const System& system, const GridVectors& velocity, const NodeVectors& positions) {
+  auto result = interpolate(*system.coupler, velocity, positions);
+  if (system.tangential_correction) {
+    add_correction(*system.tangential_correction, *system.coupler, surfaces_of(system.membranes),
+                   system.node_force, result);
+  }
+  return result;
+}
+
 void advance_phases(System& system, Passage& passage) {
   auto& fluid = *system.fluid;
   auto& coupler = *system.coupler;
@@ -29,7 +39,7 @@ void advance_phases(System& system, Passage& passage) {
 
   // 2. u_m(t), with the stencils at x(t).
   const auto before = positions_of(system.membranes);
-  system.node_velocity = timed(seconds.coupler, [&] { return interpolate(coupler, velocity, before); });
+  system.node_velocity = timed(seconds.coupler, [&] { return node_velocity(system, velocity, before); });
   passage.pass(system, Packet::node_velocity, system.node_velocity);
 
   // 3. x(t+1).

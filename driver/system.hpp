@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "coupler/coupler.hpp"
+#include "coupler/tangential_correction.hpp"
 #include "driver/capsule_membrane.hpp"
 #include "driver/case.hpp"
 #include "driver/stages/packets.hpp"
@@ -25,6 +27,7 @@ struct ComponentSeconds {
 struct System {
   std::unique_ptr<fluid::Fluid> fluid;
   std::unique_ptr<coupler::Coupler> coupler;
+  std::optional<coupler::TangentialCorrection> tangential_correction;
   std::vector<CapsuleMembrane> membranes;
 
   std::int64_t step = 0;

@@ -113,16 +113,17 @@ void warn_of_interval(Lines& lines, std::size_t number, int interval, const Visc
 }
 
 void warn_of_stability(Lines& lines, std::size_t number, int interval, const ViscousPart& part,
-                       double outer_viscosity) {
-  const double limit = stable_interval_times_spring(outer_viscosity);
+                       double outer_viscosity, bool tangential_correction) {
+  const double in_viscosities = stable_spring_over_viscosity(tangential_correction);
+  const double limit = in_viscosities * outer_viscosity;
   if (interval * part.spring <= limit) return;
   const double ratio = limit / (interval * part.spring);
   lines.push_back(fmt::format(
-      "capsule {}: N k_{}' = {:.3g} is over {:.3g} = 32 mu_o, beyond which runs break down or may: divide "
+      "capsule {}: N k_{}' = {:.3g} is over {:.3g} = {} mu_o, beyond which runs break down or may: divide "
       "the "
       "stiffness of the spring (membrane.viscous.spring_...{}), the interval, or the speed of the flow by "
       "{:.3g}",
-      number, part.letter, interval * part.spring, limit, part.suffix, 1 / ratio));
+      number, part.letter, interval * part.spring, limit, in_viscosities, part.suffix, 1 / ratio));
 }
 
 void warn_of_viscosity(Lines& lines, std::size_t number, const Case& the_case, const Parameters& p) {
@@ -154,7 +155,8 @@ void warn_of_viscosity(Lines& lines, std::size_t number, const Case& the_case, c
   for (const auto& part : parts_of(law)) {
     if (part.viscosity == 0) continue;
     warn_of_interval(lines, number, law.interval, part);
-    warn_of_stability(lines, number, law.interval, part, p.kinematic_viscosity);
+    warn_of_stability(lines, number, law.interval, part, p.kinematic_viscosity,
+                      the_case.coupler.tangential_correction);
   }
 }
 

@@ -36,7 +36,10 @@ void add_interpolate_command(CLI::App& coupler, int& exit_code) {
   auto* command = coupler.add_subcommand("interpolate", "Grid velocities to the nodes");
   auto arguments = std::make_shared<Arguments<InterpolateStage>>();
   arguments->the_case.add_to(*command);
-  command->add_option("--in", arguments->stage.in, "Surface file with the nodes")->required();
+  command
+      ->add_option("--in", arguments->stage.in,
+                   "Surface file with the nodes (and `total_force`, with coupler.tangential_correction)")
+      ->required();
   command->add_option("--grid", arguments->stage.grid, "Grid file with the array `velocity`")->required();
   command
       ->add_option("--out", arguments->stage.out, "Surface file to write (.vtu), with the array `velocity`")

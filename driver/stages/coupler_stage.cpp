@@ -29,7 +29,12 @@ void run(const InterpolateStage& stage) {
   build_stencils(*coupler, surfaces.positions);
   auto out = surface_file(surfaces, step_of(file.field_data, stage.in.string()));
   try {
-    add_vectors(out, "velocity", interpolate(*coupler, grid, surfaces.positions));
+    auto velocity = interpolate(*coupler, grid, surfaces.positions);
+    if (const auto correction = tangential_correction(stage.the_case)) {
+      const auto force = vectors_of(file, "total_force", surfaces, stage.in.string());
+      add_correction(*correction, *coupler, surfaces, force, velocity);
+    }
+    add_vectors(out, "velocity", velocity);
   } catch (const std::invalid_argument& error) {
     throw InputError(stage.grid.string() + ": " + error.what());
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "coupler/coupler.hpp"
+#include "coupler/tangential_correction.hpp"
 #include "driver/capsule_membrane.hpp"
 #include "driver/stages/packets.hpp"
 #include "fluid/fluid.hpp"
@@ -37,6 +38,11 @@ void build_stencils(coupler::Coupler& coupler, const NodeVectors& positions);
 /// @throws std::invalid_argument if a node that a stencil touches is missing
 NodeVectors interpolate(const coupler::Coupler& coupler, const GridVectors& velocity,
                         const NodeVectors& positions);
+
+/// Adds what the kernel takes off the velocity along the surfaces (docs/kernels.md).
+/// @param surfaces at x(t), where the stencils stand @param force F_m(t)
+void add_correction(const coupler::TangentialCorrection& correction, const coupler::Coupler& coupler,
+                    const Surfaces& surfaces, const NodeVectors& force, NodeVectors& velocity);
 
 /// 3. membrane: positions x(t+1) = x(t) + u_m(t) (Eq. 2.19). @throws LongMove, also for not a number
 NodeVectors move_nodes(const NodeVectors& positions, const NodeVectors& velocity);

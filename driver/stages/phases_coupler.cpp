@@ -30,6 +30,12 @@ std::vector<double> picked(const GridVectors& vectors, std::span<const std::int6
   return values;
 }
 
+std::vector<std::span<double>> targets_of(NodeVectors& vectors) {
+  std::vector<std::span<double>> spans;
+  for (auto& matrix : vectors) spans.emplace_back(matrix.data(), static_cast<std::size_t>(matrix.size()));
+  return spans;
+}
+
 }  // namespace
 
 void build_stencils(coupler::Coupler& coupler, const NodeVectors& positions) {
@@ -39,15 +45,27 @@ void build_stencils(coupler::Coupler& coupler, const NodeVectors& positions) {
 NodeVectors interpolate(const coupler::Coupler& coupler, const GridVectors& velocity,
                         const NodeVectors& positions) {
   NodeVectors result;
-  std::vector<std::span<double>> targets;
   for (const auto& matrix : positions) result.emplace_back(3, matrix.cols());
-  for (auto& matrix : result) targets.emplace_back(matrix.data(), static_cast<std::size_t>(matrix.size()));
+  const auto targets = targets_of(result);
   if (std::ranges::equal(velocity.nodes, coupler.grid_nodes())) {
     coupler.interpolate(velocity.values, targets);
   } else {
     coupler.interpolate(picked(velocity, coupler.grid_nodes()), targets);
   }
   return result;
+}
+
+void add_correction(const coupler::TangentialCorrection& correction, const coupler::Coupler& coupler,
+                    const Surfaces& surfaces, const NodeVectors& force, NodeVectors& velocity) {
+  NodeVectors normals = zero_like(surfaces.positions);
+  const auto positions = views(surfaces.positions);
+  const auto targets = targets_of(normals);
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    const auto& triangles = surfaces.triangles[k];
+    coupler::node_normals(positions[k], {triangles.data(), static_cast<std::size_t>(triangles.size())},
+                          targets[k]);
+  }
+  correction.add(coupler, views(normals), views(force), targets_of(velocity));
 }
 
 GridVectors spread(coupler::Coupler& coupler, const NodeVectors& positions, const NodeVectors& force) {

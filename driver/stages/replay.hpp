@@ -31,7 +31,8 @@ struct ReplayedArray {
 /// - membrane: node_velocity and the positions before it -> positions; positions -> node_force; its history
 /// at
 ///   the end
-/// - coupler: positions, grid_velocity -> node_velocity; positions, node_force -> grid_force
+/// - coupler: positions, grid_velocity (and with coupler.tangential_correction the node_force before) ->
+///   node_velocity; positions, node_force -> grid_force
 /// - fluid: grid_force -> grid_velocity of the next step; its whole state at the end
 /// @return all arrays, in the order of the steps
 /// @throws InputError for a record that is not there, incomplete or does not fit the settings; RunError

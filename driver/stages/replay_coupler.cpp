@@ -7,11 +7,13 @@ namespace {
 
 void feed(ReplayRecord& record, const Case& the_case) {
   const auto coupler = make_coupler(the_case);
+  const auto correction = tangential_correction(the_case);
   for (auto step = record.first_step(); step <= record.last_step(); ++step) {
-    const auto before = record.positions_before(step);
-    build_stencils(*coupler, before);
-    record.compare(Packet::node_velocity, step,
-                   interpolate(*coupler, record.grid(Packet::grid_velocity, step, true), before));
+    const auto before = record.surfaces_before(step);
+    build_stencils(*coupler, before.positions);
+    auto velocity = interpolate(*coupler, record.grid(Packet::grid_velocity, step, true), before.positions);
+    if (correction) add_correction(*correction, *coupler, before, record.force_before(step), velocity);
+    record.compare(Packet::node_velocity, step, velocity);
     record.compare(
         Packet::grid_force, step,
         spread(*coupler, record.nodes(Packet::positions, step), record.nodes(Packet::node_force, step)));

@@ -71,6 +71,16 @@ NodeVectors ReplayRecord::positions_before(std::int64_t step) const {
   return step == first_step() ? begin_.positions : nodes(Packet::positions, step - 1);
 }
 
+Surfaces ReplayRecord::surfaces_before(std::int64_t step) const {
+  Surfaces surfaces{positions_before(step), {}};
+  for (const auto& reference : begin_.references) surfaces.triangles.push_back(reference.triangles);
+  return surfaces;
+}
+
+NodeVectors ReplayRecord::force_before(std::int64_t step) const {
+  return step == first_step() ? begin_.node_force : nodes(Packet::node_force, step - 1);
+}
+
 NodeVectors ReplayRecord::nodes(Packet packet, std::int64_t step) const {
   return read_node_packet(packet_path(directory_, packet, step), packet, begin_.positions, step);
 }

@@ -24,6 +24,9 @@ class ReplayRecord {
 
   /// The positions that the step which makes `step` begins with.
   NodeVectors positions_before(std::int64_t step) const;
+  /// The surfaces there, and the total force at them.
+  Surfaces surfaces_before(std::int64_t step) const;
+  NodeVectors force_before(std::int64_t step) const;
   /// A packet of the step that makes `step`.
   NodeVectors nodes(Packet packet, std::int64_t step) const;
   /// @param everywhere all nodes of the file, not only those that crossed the border

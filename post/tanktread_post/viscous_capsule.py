@@ -1,4 +1,4 @@
-"""The steady shape of a capsule with a viscous membrane in shear flow, for small deformation.
+"""The shape of a capsule with a viscous membrane in shear flow, for small deformation: steady, and from rest.
 
 To first order the membrane of a sphere moves in shear flow as a rigid one turns, at g/2, and strains by a second spherical
 harmonic. With Y = n.E.n/g, E the rate of strain of the flow, its displacement is a (w Y e_r + v grad_s Y) (grad_s of the unit
@@ -18,6 +18,15 @@ the membrane answers with the moduli G = G_s + i mu_s, K = K_s + i mu_d, and
 with M the product of the two steps above. D is |w|, and the inclination half its argument. Without viscosity and for Ca to 0, D is
 (5/8) Ca_G (3 + G_s/K_s), that of Barthes-Biesel and Rallison (1981), at 45 degrees. The shape is taken to first order in D: Ca_G is
 small, while Ca_G Bq need not be.
+
+From rest, with the viscous stress behind a spring (a Maxwell element: it is that of a strain rate r which follows the strain's with the
+relaxation time T), and as seen from the element, where the flow turns as exp(i t),
+
+    d(w, v)/dt = q_E exp(i t) (1, 1/2) + M(G_s, K_s) (w, v) + M(mu_s, mu_d) r,    T dr/dt = d(w, v)/dt - r.
+
+An immersed boundary spreads the force over a few grid steps and takes the velocity from as many. There the tangential velocity has a
+kink of f_t, and the mean over it is short by loss f_t, loss = C dx/a with the C of docs/kernels.md: so much less is the tangential
+mobility. The radial velocity has no kink.
 """
 
 import cmath
@@ -26,13 +35,44 @@ import math
 import numpy
 
 
-def steady_state(capillary_number, boussinesq_shear=0.0, boussinesq_dilatational=0.0, area_modulus=3.0):
-    """(D, inclination in degrees). Capillary number by G_s; area_modulus = K_s/G_s (3: Skalak with C = 1, neo-Hookean)."""
-    shear = 1 / capillary_number + 1j * boussinesq_shear
-    area = area_modulus / capillary_number + 1j * boussinesq_dilatational
+def _response(shear, area, loss):
+    """M(G, K): the velocity (w, v) that the fluid takes from the force of a membrane displaced by (w, v)."""
     force = numpy.array([[-4 * area, 12 * area], [2 * area, -(6 * area + 4 * shear)]])  # (f_r, f_t) of (w, v)
     to_eigenfunctions = numpy.array([[-1, 2], [1, 3]]) / 5  # of (f_r, f_t)
     velocity = numpy.array([[-3, 2], [1, 1]]) @ numpy.diag([2 / 35, 1 / 5])  # (radial, tangential) of these
-    mobility = velocity @ to_eigenfunctions @ force
-    w, _ = numpy.linalg.solve(1j * numpy.eye(2) - mobility, 0.5j * numpy.array([1, 0.5]))
+    mobility = velocity @ to_eigenfunctions
+    mobility[1, 1] -= loss
+    return mobility @ force
+
+
+FLOW = 0.5j * numpy.array([1, 0.5])  # of the undisturbed flow, in (w, v)
+
+
+def _shape(w):
+    """(D, inclination in degrees)."""
     return abs(w), math.degrees(cmath.phase(w)) / 2
+
+
+def steady_state(capillary_number, boussinesq_shear=0.0, boussinesq_dilatational=0.0, area_modulus=3.0, loss=0.0):
+    """(D, inclination in degrees). Capillary number by G_s; area_modulus = K_s/G_s (3: Skalak with C = 1, neo-Hookean); loss of
+    tangential mobility to an immersed boundary."""
+    shear = 1 / capillary_number + 1j * boussinesq_shear
+    area = area_modulus / capillary_number + 1j * boussinesq_dilatational
+    w, _ = numpy.linalg.solve(1j * numpy.eye(2) - _response(shear, area, loss), FLOW)
+    return _shape(w)
+
+
+def start_up(shear_time, capillary_number, boussinesq_shear, spring_relaxation_time, area_modulus=3.0, loss=0.0):
+    """(D, inclination in degrees) at a shear time, from a sphere at rest in the developed flow. spring_relaxation_time is
+    tau_s g = mu_s g/k_s', positive, of which T is the double; the membrane has no dilatational viscosity."""
+    one = numpy.eye(2)
+    elastic = _response(1 / capillary_number, area_modulus / capillary_number, loss)
+    viscous = _response(boussinesq_shear, 0, loss)
+    rate = 1 / (2 * spring_relaxation_time)
+    # Of (w, v) and r, turned with the flow, whose forcing is constant then.
+    growth = numpy.block([[elastic, viscous], [rate * elastic, rate * (viscous - one)]]) - 1j * numpy.eye(4)
+    forcing = numpy.concatenate([FLOW, rate * FLOW])
+    values, modes = numpy.linalg.eig(growth)
+    amplitudes = numpy.linalg.solve(modes, forcing)
+    w = (modes @ (numpy.expm1(values * shear_time) / values * amplitudes))[0]
+    return _shape(w)

@@ -6,7 +6,7 @@ import unittest
 from post_fixture import ROOT, InFolder
 
 from tanktread_post import small_deformation
-from tanktread_post.viscous_capsule import steady_state
+from tanktread_post.viscous_capsule import start_up, steady_state
 
 
 class SteadyState(InFolder):
@@ -33,6 +33,28 @@ class SteadyState(InFolder):
             deformation, inclination = steady_state(0.02, float(row["bq_s"]), float(row["bq_d"]))
             self.assertAlmostEqual(deformation, float(row["deformation"]), delta=1e-6)
             self.assertAlmostEqual(inclination, float(row["inclination_deg"]), delta=1e-4)
+
+
+class StartUp(unittest.TestCase):
+    # The slowest part decays by the elasticity behind the viscosity: here by exp(-60/8) or more. The spring, of a modulus of 1e6
+    # beside the 50 of the membrane, leaves 1e-4.
+    def test_ends_in_the_steady_state(self):
+        deformation, inclination = start_up(200.0, 0.02, 40, 1e-5)
+        expected, angle = steady_state(0.02, 40)
+        self.assertAlmostEqual(deformation / expected, 1, delta=1e-3)
+        self.assertAlmostEqual(inclination, angle, delta=0.03)
+
+    def test_goes_with_the_flow_at_first(self):
+        # Without viscosity D = t/2 at 45 degrees less half the turn; what elasticity does is of the order of t/Ca.
+        deformation, inclination = start_up(1e-3, 1e2, 0, 1.0)
+        self.assertAlmostEqual(deformation / 0.5e-3, 1, delta=1e-3)
+        self.assertAlmostEqual(inclination, 45, delta=0.02)
+
+    def test_a_membrane_that_cannot_shear_grows_and_shrinks_in_area_alone(self):
+        # Then v = 0, by a force along grad_s Y that brings the 1/2 of the flow to rest: with the mobilities 2/35 and 1/5 it is -7/2,
+        # and its radial velocity -3/5, which leaves 2/5 of the strain rate g/2. What is not rigid is of the order of 1e-6/1e-3.
+        deformation, _ = start_up(1e-3, 1e6, 1e9, 1e-12)
+        self.assertAlmostEqual(deformation / 1e-3, 2 / 5 / 2, delta=1e-3)
 
 
 if __name__ == "__main__":

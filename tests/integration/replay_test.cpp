@@ -14,7 +14,10 @@ using ::testing::Not;
 
 class Replay : public Stages {};
 
-TEST_F(Replay, EachComponentGivesWhatItGave) {
+class ReplayedRun : public CorrectedOrNot {};
+INSTANTIATE_TEST_SUITE_P(Replay, ReplayedRun, ::testing::Bool(), name_of_correction);
+
+TEST_P(ReplayedRun, GivesWhatItGaveComponentByComponent) {
   record(5);  // within an interval of the viscous capsule
   for (const char* component : {"membrane", "coupler", "fluid"}) {
     EXPECT_THAT(call({"replay", path("record"), "--only", component}), HasSubstr("identical: 15 steps"))
@@ -77,6 +80,9 @@ TEST_F(Replay, AnotherSettingGivesTheSizeOfTheDifference) {
   EXPECT_EQ(exchange::read_series(path("difference/node_force.pvd")).size(), 15u);
   EXPECT_THAT(call({"replay", path("record"), "--only", "coupler", "--set", "coupler.kernel=peskin4"}),
               HasSubstr("node_velocity velocity"));
+  EXPECT_THAT(
+      call({"replay", path("record"), "--only", "coupler", "--set", "coupler.tangential_correction=true"}),
+      HasSubstr("node_velocity velocity"));
   EXPECT_THAT(call({"replay", path("record"), "--only", "fluid", "--set", "flow.inertia=false"}),
               HasSubstr("end populations"));
 }

@@ -56,6 +56,10 @@ TEST_F(Run, AViscousMembraneGoesOnBitForBitFromWithinAnInterval) {
        "spring_stiffness = 50, interval = 7, strain_sampling = \"moving-average\"}"});
 }
 
+TEST_F(Run, ACorrectedRunGoesOnBitForBitFromTheForceOfItsCheckpoint) {
+  expect_killed_run_goes_on({"--set", "coupler.tangential_correction=true"});
+}
+
 TEST_F(Run, ShearTimeExtendsAFinishedRun) {
   ASSERT_EQ(run_program(run_to("long")).exit_code, 0);
   // 0.33 is on no schedule but that of the checkpoints' end: what it writes last must not stay in the longer

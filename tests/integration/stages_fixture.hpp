@@ -39,6 +39,11 @@ class Stages : public ::testing::Test {
  protected:
   void SetUp() override { std::ofstream(path("case.toml")) << staged_case; }
 
+  /// Gives the case the tangential correction.
+  void correct() const {
+    std::ofstream(path("case.toml"), std::ios::app) << "[coupler]\ntangential_correction = true\n";
+  }
+
   std::string path(const std::string& name) const { return (directory_ / name).string(); }
 
   /// Runs a command with the case. @return what it prints; a failure unless it ends with `exit_code`
@@ -60,5 +65,17 @@ class Stages : public ::testing::Test {
 
   const TemporaryDirectory directory_;
 };
+
+/// The same with and without the tangential correction.
+class CorrectedOrNot : public Stages, public ::testing::WithParamInterface<bool> {
+ protected:
+  void SetUp() override {
+    Stages::SetUp();
+    if (GetParam()) correct();
+  }
+};
+inline std::string name_of_correction(const ::testing::TestParamInfo<bool>& tested) {
+  return tested.param ? "Corrected" : "Plain";
+}
 
 }  // namespace tanktread::testing

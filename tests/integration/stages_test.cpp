@@ -9,7 +9,10 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-TEST_F(Stages, StagedEqualsFused) {
+class StagedRun : public CorrectedOrNot {};
+INSTANTIATE_TEST_SUITE_P(Stages, StagedRun, ::testing::Bool(), name_of_correction);
+
+TEST_P(StagedRun, EqualsTheFusedOne) {
   record();
   stage({"membrane", "--out", path("membrane.vtu")});
   const auto start = exchange::read_surface(path("membrane.vtu"));
@@ -33,7 +36,7 @@ TEST_F(Stages, StagedEqualsFused) {
   EXPECT_THAT(call({"diff", path("membrane.vtu"), path("record/end/membrane.vtu")}), HasSubstr("identical"));
 }
 
-TEST_F(Stages, ThroughFilesEqualsInMemory) {
+TEST_P(StagedRun, ThroughFilesEqualsInMemory) {
   call({"run", path("case.toml"), "--output", path("memory")});
   call({"run", path("case.toml"), "--output", path("files"), "--through-files"});
   for (const char* packet :
@@ -168,6 +171,19 @@ TEST_F(Stages, RefusesWhatIsNotThePacketThatItShouldBe) {
     packet.point_data[0].values.resize(204);
   });
   EXPECT_THAT(refusal(), HasSubstr("the array 'total_force' has 1 components; a vector has 3"));
+}
+
+TEST_F(Stages, ACorrectionNeedsTheForceOfTheNodes) {
+  record();
+  stage({"fluid", "--steps", "0", "--out", path("fluid.vti"), "--fields", path("flow.vti")});
+  const std::vector<std::string> arguments = {
+      "coupler", "interpolate",    "--in",  path("record/positions/positions_0000000003.vtu"),
+      "--grid",  path("flow.vti"), "--out", path("velocity.vtu")};
+  stage(arguments);
+  std::filesystem::remove(path("velocity.vtu"));
+  correct();
+  EXPECT_THAT(stage(arguments, 2), AllOf(HasSubstr("positions_0000000003.vtu"), HasSubstr("total_force")));
+  EXPECT_FALSE(std::filesystem::exists(path("velocity.vtu")));
 }
 
 TEST_F(Stages, RefusesPositionsBeyondAWall) {

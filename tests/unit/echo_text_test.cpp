@@ -89,6 +89,13 @@ TEST(Echo, MembraneViscosityWithItsSpringInAllForms) {
   EXPECT_EQ(line_of(text, "Bq_d"), "Bq_d 0");
 }
 
+TEST(Echo, SaysThatTheVelocityOfNodesIsCorrected) {
+  const auto text = echo_of(parse(least_case, {"coupler.tangential_correction=true",
+                                               "membrane.viscous={scheme = \"fd\", boussinesq_shear = 10}"}));
+  EXPECT_EQ(line_of(text, "kernel"), "kernel cosine4 with the tangential correction");
+  EXPECT_THAT(line_of(text, "N k_s'"), HasSubstr("stable up to 1.33 = 8 mu_o"));
+}
+
 TEST(Echo, SiColumn) {
   const auto text = echo_of(parse(si_case, {"flow.reynolds_number=0.14"}));
   EXPECT_EQ(line_of(text, "grid step"), "grid step 1 5e-07 m radius_m / radius");

@@ -1,0 +1,123 @@
+#include "coupler/tangential_correction.hpp"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace tanktread::coupler {
+namespace {
+
+/// Mean over the phases of a node between two grid nodes of sum_i sum_j phi(i - s) phi(j - s) factor(|i -
+/// j|).
+template <class Factor>
+double mean_of_pairs(const Kernel& kernel, const Factor& factor) {
+  constexpr int n_phases = 1024;  // midpoints: the kinks of all kernels lie between two
+  const int reach = static_cast<int>(std::ceil(kernel.half_width));
+  double sum = 0;
+  for (int phase = 0; phase < n_phases; ++phase) {
+    const double s = (phase + 0.5) / n_phases;
+    for (int i = -reach; i <= reach + 1; ++i) {
+      for (int j = -reach; j <= reach + 1; ++j) {
+        sum += kernel.function(i - s) * kernel.function(j - s) * factor(std::abs(i - j));
+      }
+    }
+  }
+  return sum / n_phases;
+}
+
+double square_sum(const Kernel& kernel) {
+  return mean_of_pairs(kernel, [](int distance) { return distance == 0 ? 1.0 : 0.0; });
+}
+
+double dot(const double* a, const double* b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// Takes the parts along the normals off `vectors`, or not a number where there is no normal.
+void keep_tangential(std::span<const double> normals, std::span<double> vectors) {
+  for (std::size_t k = 0; k < vectors.size(); k += 3) {
+    const double along = dot(&normals[k], &vectors[k]);
+    for (int axis = 0; axis < 3; ++axis) vectors[k + axis] -= along * normals[k + axis];
+  }
+}
+
+void require_surface(std::size_t n_positions, std::span<const int> triangles, std::size_t n_normals) {
+  if (n_positions % 3 != 0 || triangles.size() % 3 != 0 || n_normals != n_positions) {
+    throw std::invalid_argument("coupler: normals of " + std::to_string(n_normals) + " numbers, of " +
+                                std::to_string(n_positions) + " of positions and " +
+                                std::to_string(triangles.size()) + " of triangles");
+  }
+  for (const int node : triangles) {
+    if (node >= 0 && static_cast<std::size_t>(node) < n_positions / 3) continue;
+    throw std::invalid_argument("coupler: a triangle names node " + std::to_string(node) + " of " +
+                                std::to_string(n_positions / 3));
+  }
+}
+
+}  // namespace
+
+double tangential_shortfall(const Kernel& kernel) {
+  return mean_of_pairs(kernel, [](int distance) { return 0.5 * distance; });
+}
+
+void node_normals(std::span<const double> positions, std::span<const int> triangles,
+                  std::span<double> normals) {
+  require_surface(positions.size(), triangles, normals.size());
+  for (double& component : normals) component = 0.0;
+  for (std::size_t t = 0; t < triangles.size(); t += 3) {
+    const double *a = &positions[3 * triangles[t]], *b = &positions[3 * triangles[t + 1]],
+                 *c = &positions[3 * triangles[t + 2]];
+    const double u[] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v[] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+    const double normal[] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    for (int corner = 0; corner < 3; ++corner) {
+      for (int axis = 0; axis < 3; ++axis) normals[3 * triangles[t + corner] + axis] += normal[axis];
+    }
+  }
+  for (std::size_t k = 0; k < normals.size(); k += 3) {
+    const double length = std::sqrt(dot(&normals[k], &normals[k]));
+    for (int axis = 0; axis < 3; ++axis) normals[k + axis] /= length;
+  }
+}
+
+TangentialCorrection::TangentialCorrection(const Kernel& kernel, double viscosity)
+    : mobility_(tangential_shortfall(kernel) / (viscosity * square_sum(kernel))) {
+  if (!(viscosity > 0 && std::isfinite(viscosity))) {
+    throw std::invalid_argument("coupler: the viscosity of a tangential correction is " +
+                                std::to_string(viscosity) + ", must be positive");
+  }
+}
+
+void TangentialCorrection::add(const Coupler& coupler, std::span<const std::span<const double>> normals,
+                               std::span<const std::span<const double>> force,
+                               std::span<const std::span<double>> velocity) const {
+  if (normals.size() != force.size() || velocity.size() != force.size()) {
+    throw std::invalid_argument("coupler: normals, forces and velocities of a correction are of " +
+                                std::to_string(normals.size()) + ", " + std::to_string(force.size()) +
+                                " and " + std::to_string(velocity.size()) + " surfaces");
+  }
+  std::vector<std::vector<double>> along;  // the surfaces: forces, then velocities
+  std::vector<std::span<const double>> sources;
+  std::vector<std::span<double>> targets;
+  for (std::size_t s = 0; s < force.size(); ++s) {
+    if (normals[s].size() != force[s].size() || velocity[s].size() != force[s].size()) {
+      throw std::invalid_argument("coupler: surface " + std::to_string(s) + " has " +
+                                  std::to_string(force[s].size()) + " numbers of force, but " +
+                                  std::to_string(normals[s].size()) + " of normals and " +
+                                  std::to_string(velocity[s].size()) + " of velocity");
+    }
+    along.emplace_back(force[s].begin(), force[s].end());
+    keep_tangential(normals[s], along.back());
+  }
+  for (auto& values : along) sources.emplace_back(values), targets.emplace_back(values);
+  std::vector<double> grid_force(3 * coupler.grid_nodes().size());
+  coupler.spread(sources, grid_force);
+  coupler.interpolate(grid_force, targets);
+  for (std::size_t s = 0; s < force.size(); ++s) {
+    keep_tangential(normals[s], along[s]);
+    for (std::size_t k = 0; k < along[s].size(); ++k) velocity[s][k] += mobility_ * along[s][k];
+  }
+}
+
+}  // namespace tanktread::coupler

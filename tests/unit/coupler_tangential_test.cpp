@@ -1,0 +1,130 @@
+// The tangential correction: its number for each kernel, its normals, and what kind of mobility it adds.
+#include "coupler/tangential_correction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/unit/coupler_moments.hpp"
+#include "tests/unit/coupler_support.hpp"
+
+namespace tanktread::coupler {
+namespace {
+
+using namespace test;
+
+const Grid box = {{20, 18, 22}, {true, true, true}};
+
+class TangentialKernels : public ::testing::TestWithParam<Kernel> {};
+INSTANTIATE_TEST_SUITE_P(All, TangentialKernels, ::testing::ValuesIn(kernels()),
+                         [](const auto& tested) { return tested.param.name; });
+
+TEST_P(TangentialKernels, FallShortByTheKnownNumber) {
+  const auto* known = known_moments_of(GetParam());
+  ASSERT_NE(known, nullptr);
+  // The mean over 1024 phases of a function with a second derivative of up to 2: 2/(24 1024^2) = 8e-8; the
+  // number of peskin4 has six digits.
+  EXPECT_NEAR(tangential_shortfall(GetParam()), known->shortfall, 6e-7);
+}
+
+/// A sphere of nodes and what pushes on it, at random.
+struct Surface {
+  Numbers nodes = sphere(150, 5.0, {9.7, 8.9, 11.3}), normals, force = random_numbers(450, -1, 1, 1);
+  Surface() {
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const double centre[] = {9.7, 8.9, 11.3};
+      normals.push_back((nodes[k] - centre[k % 3]) / 5.0);
+    }
+  }
+};
+
+/// The velocity that a correction adds.
+Numbers added(const Kernel& kernel, const Surface& surface, const Numbers& force, double viscosity = 0.2) {
+  Coupler coupler(box, kernel, 1);
+  build(coupler, {surface.nodes});
+  Numbers velocity(force.size(), 0.0);
+  const std::span<const double> normals(surface.normals), forces(force);
+  const std::span<double> target(velocity);
+  TangentialCorrection(kernel, viscosity).add(coupler, {&normals, 1}, {&forces, 1}, {&target, 1});
+  return velocity;
+}
+
+// Rounding: sums of some hundred products below 1, of some thousand grid nodes.
+constexpr double rounding = 1e4 * eps;
+
+TEST_P(TangentialKernels, AddASymmetricPositiveMobility) {
+  const Surface surface;
+  const auto other = random_numbers(450, -1, 1, 2);
+  const auto by_force = added(GetParam(), surface, surface.force),
+             by_other = added(GetParam(), surface, other);
+  EXPECT_NEAR(dot(other, by_force), dot(surface.force, by_other), rounding);
+  EXPECT_GT(dot(surface.force, by_force), 0.1);
+}
+
+TEST_P(TangentialKernels, LeaveTheNormalVelocityAndNormalForcesAlone) {
+  const Surface surface;
+  const auto velocity = added(GetParam(), surface, surface.force);
+  double largest = 0;
+  for (std::size_t k = 0; k < velocity.size(); k += 3) {
+    double normal = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      normal += velocity[k + axis] * surface.normals[k + axis];
+      largest = std::max(largest, std::abs(velocity[k + axis]));
+    }
+    EXPECT_NEAR(normal, 0, 1e-6) << k;  // normals to 2^-20/5, velocities below 1
+  }
+  EXPECT_GT(largest, 0.1);
+  for (const double number : added(GetParam(), surface, surface.normals)) EXPECT_NEAR(number, 0, 1e-6);
+}
+
+TEST(TangentialCorrection, GoesWithTheInverseOfTheViscosityAndIsAdded) {
+  const Surface surface;
+  const auto once = added(kernels().front(), surface, surface.force, 0.2);
+  const auto half = added(kernels().front(), surface, surface.force, 0.4);
+  for (std::size_t k = 0; k < once.size(); ++k) EXPECT_NEAR(half[k], 0.5 * once[k], 2 * eps);
+}
+
+TEST(TangentialCorrection, RefusesAViscosityThatIsNotPositive) {
+  for (const double viscosity : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(TangentialCorrection(kernels().front(), viscosity), std::invalid_argument) << viscosity;
+  }
+}
+
+TEST(TangentialCorrection, RefusesArraysThatDoNotFit) {
+  const Surface surface;
+  Coupler coupler(box, kernels().front(), 1);
+  build(coupler, {surface.nodes});
+  const TangentialCorrection correction(kernels().front(), 0.2);
+  Numbers velocity(450);
+  const std::span<const double> normals(surface.normals), force(surface.force);
+  const std::span<double> target(velocity), short_target = target.first(447);
+  EXPECT_THROW(correction.add(coupler, {&normals, 1}, {&force, 1}, {&short_target, 1}),
+               std::invalid_argument);
+  EXPECT_THROW(correction.add(coupler, {}, {&force, 1}, {&target, 1}), std::invalid_argument);
+}
+
+TEST(NodeNormals, AreTheAreaWeightedMeanOfTheTrianglesAround) {
+  // A square in the plane z = 0 and a triangle of half its area upright on one side: at a corner of that side
+  // (0, 0, 2) of both parts of the square, (0, -1, 0) of the upright one.
+  const Numbers positions = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.5, 0, -1};
+  const std::vector<int> triangles = {0, 1, 2, 0, 2, 3, 0, 4, 1};
+  Numbers normals(15, std::nan(""));
+  node_normals(positions, triangles, normals);
+  const double root5 = std::sqrt(5.0);
+  const double root2 = std::sqrt(2.0);
+  const Numbers expected =
+      joined({{0, -1 / root5, 2 / root5}, {0, -1 / root2, 1 / root2}, {0, 0, 1}, {0, 0, 1}, {0, -1, 0}});
+  for (std::size_t k = 0; k < 15; ++k) EXPECT_NEAR(normals[k], expected[k], 2 * eps) << k;
+}
+
+TEST(NodeNormals, RefuseWhatIsNoSurface) {
+  const Numbers positions = {0, 0, 0, 1, 0, 0, 1, 1, 0};
+  Numbers normals(9), too_few(6);
+  EXPECT_THROW(node_normals(positions, std::vector<int>{0, 1, 3}, normals), std::invalid_argument);
+  EXPECT_THROW(node_normals(positions, std::vector<int>{0, 1, -1}, normals), std::invalid_argument);
+  EXPECT_THROW(node_normals(positions, std::vector<int>{0, 1}, normals), std::invalid_argument);
+  EXPECT_THROW(node_normals(positions, std::vector<int>{0, 1, 2}, too_few), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace tanktread::coupler
