@@ -18,7 +18,8 @@ QUANTITIES = ("deformation", "inclination_deg", "length", "width", "breadth", "v
 PARAMETERS = ("elastic_law", "capillary_number", "capillary_modulus", "kernel", "radius", "box", "mesh", "shear_rate_by")
 COST = ("mlups", "fluid_percent", "coupler_percent", "membrane_percent")
 VISCOUS = ("scheme", "boussinesq_shear", "boussinesq_dilatational", "spring", "interval", "strain_sampling")
-COLUMNS = ("run", *PARAMETERS, "shear_time", *QUANTITIES, *COST, *VISCOUS)
+COUPLER = ("tangential_correction",)  # true, or nothing
+COLUMNS = ("run", *PARAMETERS, "shear_time", *QUANTITIES, *COST, *VISCOUS, *COUPLER)
 
 
 def parameters(echo):
@@ -51,7 +52,8 @@ def rows_of(directory, run, shear_times, log=None):
     """The rows of one run at the shear times asked for, as dictionaries of text."""
     observables, cost = Observables(directory), read_cost(log)
     echo = read_echo(directory)
-    common = {"run": run, **parameters(echo), **viscous_parameters(echo)}
+    corrected = "true" if echo["coupler"].get("tangential_correction") else ""
+    common = {"run": run, **parameters(echo), **viscous_parameters(echo), "tangential_correction": corrected}
     rows = []
     for time in shear_times:
         row = {**common, "shear_time": f"{time:g}"}

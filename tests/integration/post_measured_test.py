@@ -49,9 +49,18 @@ class Measured(InFolder):
             [rows["viscous"][name] for name in measured.VISCOUS], ["fd", "10.0", "", "spring_stiffness 100.0", "25", ""]
         )
 
+    def test_a_corrected_coupler_shows(self):
+        self.add("plain", 0.04)
+        write_run(self.folder / "corrected", deformation=0.05)
+        echo = self.folder / "corrected/echo.toml"
+        echo.write_text(echo.read_text().replace("[coupler]", "[coupler]\ntangential_correction = true"))
+        file = measured.add(self.folder / "case", self.folder / "corrected", "corrected", (3.0,), "cases/run case corrected")
+        rows = {row["run"]: row for row in reference.read_table(file)}
+        self.assertEqual([rows[run]["tangential_correction"] for run in ("plain", "corrected")], ["", "true"])
+
     def test_a_file_with_fewer_columns_is_filled_up(self):
         file = self.add("old", 0.04)
-        n = len(measured.VISCOUS)
+        n = len(measured.VISCOUS) + len(measured.COUPLER)
         file.write_text("\n".join(l if l.startswith("#") else l.rsplit(",", n)[0] for l in file.read_text().splitlines()))
         self.add("new", 0.05)
         rows = {row["run"]: row for row in reference.read_table(file)}
