@@ -212,6 +212,10 @@ Coupler::Coupler(const Grid& grid, const Kernel& kernel, int threads) {
 
 Coupler::~Coupler() = default;
 
+const Kernel& Coupler::kernel() const {
+  return implementation_->builder.kernel();
+}
+
 void Coupler::build(std::span<const std::span<const double>> surfaces) {
   implementation_->builder.build(surfaces, implementation_->next);
   std::swap(implementation_->stencils, implementation_->next);

@@ -59,6 +59,9 @@ class Coupler {
   Coupler(const Grid& grid, const Kernel& kernel, int threads = 0);
   ~Coupler();
 
+  /// The kernel it was made with.
+  const Kernel& kernel() const;
+
   /// Builds the stencils of all surfaces at the positions given (one span of 3 n numbers a surface). Whatever
   /// it throws, the old stencils stay.
   /// @throws StencilError if a stencil reaches beyond a wall with a weight other than 0, or a position is not

@@ -36,6 +36,8 @@ class StencilBuilder {
  public:
   /// @param shares the work is cut into this many shares, each done by one thread
   StencilBuilder(const Grid& grid, const Kernel& kernel, int shares);
+
+  const Kernel& kernel() const { return kernel_; }
   StencilBuilder(const StencilBuilder&) = delete;
   StencilBuilder& operator=(const StencilBuilder&) = delete;
 

@@ -1,7 +1,6 @@
 #include "coupler/tangential_correction.hpp"
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -35,7 +34,7 @@ double dot(const double* a, const double* b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Takes the parts along the normals off `vectors`, or not a number where there is no normal.
+/// Takes the parts along the normals off `vectors`.
 void keep_tangential(std::span<const double> normals, std::span<double> vectors) {
   for (std::size_t k = 0; k < vectors.size(); k += 3) {
     const double along = dot(&normals[k], &vectors[k]);
@@ -43,11 +42,23 @@ void keep_tangential(std::span<const double> normals, std::span<double> vectors)
   }
 }
 
+/// A node without a triangle has no normal, and one number that is not finite would spoil all around it.
+void require_finite(const std::string& what, std::size_t surface, std::span<const double> numbers) {
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    if (std::isfinite(numbers[k])) continue;
+    throw CorrectionError("the " + what + " of node " + std::to_string(k / 3) + " of surface " +
+                          std::to_string(surface) + " is not finite");
+  }
+}
+
 void require_surface(std::size_t n_positions, std::span<const int> triangles, std::size_t n_normals) {
-  if (n_positions % 3 != 0 || triangles.size() % 3 != 0 || n_normals != n_positions) {
-    throw std::invalid_argument("coupler: normals of " + std::to_string(n_normals) + " numbers, of " +
-                                std::to_string(n_positions) + " of positions and " +
-                                std::to_string(triangles.size()) + " of triangles");
+  if (n_positions % 3 != 0 || n_normals != n_positions) {
+    throw std::invalid_argument("coupler: positions of " + std::to_string(n_positions) + " and normals of " +
+                                std::to_string(n_normals) + " numbers, must both be 3 a node");
+  }
+  if (triangles.size() % 3 != 0) {
+    throw std::invalid_argument("coupler: triangles of " + std::to_string(triangles.size()) +
+                                " numbers, must be 3 a triangle");
   }
   for (const int node : triangles) {
     if (node >= 0 && static_cast<std::size_t>(node) < n_positions / 3) continue;
@@ -81,8 +92,9 @@ void node_normals(std::span<const double> positions, std::span<const int> triang
   }
 }
 
-TangentialCorrection::TangentialCorrection(const Kernel& kernel, double viscosity)
-    : mobility_(tangential_shortfall(kernel) / (viscosity * square_sum(kernel))) {
+TangentialCorrection::TangentialCorrection(const Coupler& coupler, double viscosity)
+    : kernel_(coupler.kernel()),
+      mobility_(tangential_shortfall(kernel_) / (viscosity * square_sum(kernel_))) {
   if (!(viscosity > 0 && std::isfinite(viscosity))) {
     throw std::invalid_argument("coupler: the viscosity of a tangential correction is " +
                                 std::to_string(viscosity) + ", must be positive");
@@ -92,6 +104,10 @@ TangentialCorrection::TangentialCorrection(const Kernel& kernel, double viscosit
 void TangentialCorrection::add(const Coupler& coupler, std::span<const std::span<const double>> normals,
                                std::span<const std::span<const double>> force,
                                std::span<const std::span<double>> velocity) const {
+  if (coupler.kernel().name != kernel_.name) {
+    throw std::invalid_argument("coupler: a correction of kernel '" + kernel_.name + "' with a coupler of '" +
+                                coupler.kernel().name + "'");
+  }
   if (normals.size() != force.size() || velocity.size() != force.size()) {
     throw std::invalid_argument("coupler: normals, forces and velocities of a correction are of " +
                                 std::to_string(normals.size()) + ", " + std::to_string(force.size()) +
@@ -107,6 +123,8 @@ void TangentialCorrection::add(const Coupler& coupler, std::span<const std::span
                                   std::to_string(normals[s].size()) + " of normals and " +
                                   std::to_string(velocity[s].size()) + " of velocity");
     }
+    require_finite("normal", s, normals[s]);
+    require_finite("force", s, force[s]);
     along.emplace_back(force[s].begin(), force[s].end());
     keep_tangential(normals[s], along.back());
   }

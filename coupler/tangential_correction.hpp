@@ -2,48 +2,64 @@
 // back.
 #pragma once
 
-#include <cstdint>
 #include <span>
+#include <stdexcept>
 
 #include "coupler/coupler.hpp"
 
 namespace tanktread::coupler {
 
-/// Across a surface that pushes the fluid along itself with a force f an area, the velocity has a kink: u(s)
-/// = u(0) - f |s|/(2 mu). A kernel spreads the force over some grid steps and takes the velocity from as
+/// A node has no normal, or a force that is not finite. The message says surface and node.
+class CorrectionError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Across a surface that pushes the fluid along itself with a force f an area, the velocity has a kink:
+/// u(s) = u(0) - f |s|/(2 mu). A kernel spreads the force over some grid steps and takes the velocity from as
 /// many, so that a node gets less than u(0), by C f/mu with
-///     C = 1/2 sum_i sum_j phi(i - s) phi(j - s) |i - j|,
+///
+///     C = 1/2 sum_i sum_j phi(i - s) phi(j - s) |i - j|
+///
 /// in grid steps, where s is the phase of the node between grid nodes; this is the mean over all phases. An
 /// error of first order in the grid step; along the normal the velocity has no kink.
 double tangential_shortfall(const Kernel& kernel);
 
 /// Unit normals of the nodes: the mean of those of the triangles around, weighted by area.
 /// @param positions, normals 3 numbers a node @param triangles 3 node numbers a triangle
-/// @param normals overwritten; not a number where a node has no triangle or the normals cancel
+/// @param normals overwritten; not a number where a node has no triangle or its triangles' normals cancel
 /// @throws std::invalid_argument if the sizes do not fit, or a triangle names a node that does not exist
 void node_normals(std::span<const double> positions, std::span<const int> triangles,
                   std::span<double> normals);
 
 /// The shortfall, added to the velocity of the nodes of all surfaces. The force an area is that on the grid,
 /// taken at the nodes and divided by the sum S of phi^2 (its mean over the phases), so that it is as smooth
-/// as the velocity and no short wave of the nodes moves that the grid does not carry:
-///     u_m += C/(mu S) P_m sum_f delta(x_f - x_m) sum_n delta(x_f - x_n) P_n F_n,   P = I - n
-///     n^T.
-/// Symmetric and positive, as the mobility that it completes: sum_m F_m.u_m over the added part is what the
-/// flow within the kernel's width dissipates.
+/// as the velocity, and no short wave of the nodes moves that the grid does not carry:
+///
+///     u_m += C/(mu S) P_m sum_f delta(x_f - x_m) sum_n delta(x_f - x_n) P_n F_n,    P = I - n n^T
+///
+/// The added mobility is symmetric and not negative. sum_m F_m.u_m over the added part is what the sharp flow
+/// dissipates more than the smoothed one. Results do not depend on the number of threads, to the last bit.
 class TangentialCorrection {
  public:
-  /// @param viscosity mu of the fluid on both sides, positive
-  /// @throws std::invalid_argument if the viscosity is not
-  TangentialCorrection(const Kernel& kernel, double viscosity);
+  /// @param coupler whose kernel is meant
+  /// @param viscosity dynamic, mu of the fluid on both sides, lattice units
+  /// @throws std::invalid_argument unless the viscosity is positive and finite
+  TangentialCorrection(const Coupler& coupler, double viscosity);
 
-  /// All arrays as those of Coupler, whose stencils stand at the positions of the nodes.
-  /// @param normals of node_normals() @param force F_m, that spread into the fluid in the step whose velocity
-  /// it is
+  /// @param coupler of the same kernel, with its stencils at the positions of the nodes; all arrays as its
+  /// own
+  /// @param normals of node_normals()
+  /// @param force F_m, that went into the fluid in the step whose velocity it is
+  /// @param velocity to which it is added
+  /// @throws CorrectionError if a normal or a force is not finite; nothing is added then
+  /// @throws std::invalid_argument if the kernel is another, or an array has another size than the stencils
+  /// need
   void add(const Coupler& coupler, std::span<const std::span<const double>> normals,
            std::span<const std::span<const double>> force, std::span<const std::span<double>> velocity) const;
 
  private:
+  Kernel kernel_;
   double mobility_;  ///< C/(mu S)
 };
 

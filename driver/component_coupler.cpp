@@ -10,10 +10,10 @@ std::unique_ptr<coupler::Coupler> make_coupler(const Case& the_case) {
                                             the_case.run.threads);
 }
 
-std::optional<coupler::TangentialCorrection> tangential_correction(const Case& the_case) {
+std::optional<coupler::TangentialCorrection> make_tangential_correction(const Case& the_case,
+                                                                        const coupler::Coupler& coupler) {
   if (!the_case.coupler.tangential_correction) return std::nullopt;
-  return coupler::TangentialCorrection(coupler::kernel(the_case.coupler.kernel),
-                                       flow_parameters(the_case).kinematic_viscosity);
+  return coupler::TangentialCorrection(coupler, flow_parameters(the_case).kinematic_viscosity);  // density 1
 }
 
 }  // namespace tanktread::driver

@@ -20,7 +20,8 @@ std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const FlowParamet
 /// The coupler of a case, without stencils.
 std::unique_ptr<coupler::Coupler> make_coupler(const Case& the_case);
 /// What a case adds to the velocity that its coupler interpolates; nothing: it does not ask for that.
-std::optional<coupler::TangentialCorrection> tangential_correction(const Case& the_case);
+std::optional<coupler::TangentialCorrection> make_tangential_correction(const Case& the_case,
+                                                                        const coupler::Coupler& coupler);
 
 /// The stress-free mesh of a capsule at its place in the box: a sphere by its level, or a file scaled to the
 /// radius by its volume. @throws InputError if the file is not a surface that can be a membrane

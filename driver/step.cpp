@@ -19,15 +19,6 @@ auto timed(double& seconds, Phase phase) {
   return packet;
 }
 
-NodeVectors node_velocity(const System& system, const GridVectors& velocity, const NodeVectors& positions) {
-  auto result = interpolate(*system.coupler, velocity, positions);
-  if (system.tangential_correction) {
-    add_correction(*system.tangential_correction, *system.coupler, surfaces_of(system.membranes),
-                   system.node_force, result);
-  }
-  return result;
-}
-
 void advance_phases(System& system, Passage& passage) {
   auto& fluid = *system.fluid;
   auto& coupler = *system.coupler;
@@ -37,13 +28,16 @@ void advance_phases(System& system, Passage& passage) {
   auto velocity = timed(seconds.fluid, [&] { return grid_velocity(fluid, coupler.grid_nodes()); });
   passage.pass(system, Packet::grid_velocity, velocity);
 
-  // 2. u_m(t), with the stencils at x(t).
-  const auto before = positions_of(system.membranes);
-  system.node_velocity = timed(seconds.coupler, [&] { return node_velocity(system, velocity, before); });
+  // 2. u_m(t), with the stencils at x(t) (and F_m(t), for the tangential correction).
+  const auto before = surfaces_of(system.membranes);
+  system.node_velocity = timed(seconds.coupler, [&] {
+    return velocity_of_nodes(coupler, system.tangential_correction, velocity, before, system.node_force);
+  });
   passage.pass(system, Packet::node_velocity, system.node_velocity);
 
   // 3. x(t+1).
-  auto positions = timed(seconds.membrane, [&] { return move_nodes(before, system.node_velocity); });
+  auto positions =
+      timed(seconds.membrane, [&] { return move_nodes(before.positions, system.node_velocity); });
   passage.pass(system, Packet::positions, positions);
 
   // 4. Strain and stress at x(t+1), F_m(t+1).
@@ -77,6 +71,8 @@ void advance(System& system, Passage& passage) {
   } catch (const membrane::InvertedElement& error) {
     stop(error);
   } catch (const coupler::StencilError& error) {
+    stop(error);
+  } catch (const coupler::CorrectionError& error) {
     stop(error);
   }
 }

@@ -114,16 +114,17 @@ void warn_of_interval(Lines& lines, std::size_t number, int interval, const Visc
 
 void warn_of_stability(Lines& lines, std::size_t number, int interval, const ViscousPart& part,
                        double outer_viscosity, bool tangential_correction) {
-  const double in_viscosities = stable_spring_over_viscosity(tangential_correction);
+  const double in_viscosities = stable_interval_times_spring(tangential_correction);
   const double limit = in_viscosities * outer_viscosity;
   if (interval * part.spring <= limit) return;
   const double ratio = limit / (interval * part.spring);
   lines.push_back(fmt::format(
       "capsule {}: N k_{}' = {:.3g} is over {:.3g} = {} mu_o, beyond which runs break down or may: divide "
-      "the "
-      "stiffness of the spring (membrane.viscous.spring_...{}), the interval, or the speed of the flow by "
-      "{:.3g}",
-      number, part.letter, interval * part.spring, limit, in_viscosities, part.suffix, 1 / ratio));
+      "the stiffness of the spring (membrane.viscous.spring_...{}), the interval, or the speed of the flow "
+      "by "
+      "{:.3g}{}",
+      number, part.letter, interval * part.spring, limit, in_viscosities, part.suffix, 1 / ratio,
+      tangential_correction ? ", or leave out coupler.tangential_correction" : ""));
 }
 
 void warn_of_viscosity(Lines& lines, std::size_t number, const Case& the_case, const Parameters& p) {

@@ -28,13 +28,13 @@ void run(const InterpolateStage& stage) {
   const auto coupler = make_coupler(stage.the_case);
   build_stencils(*coupler, surfaces.positions);
   auto out = surface_file(surfaces, step_of(file.field_data, stage.in.string()));
+  const auto correction = make_tangential_correction(stage.the_case, *coupler);
+  NodeVectors force;
+  if (correction) force = vectors_of(file, "total_force", surfaces, stage.in.string());
   try {
-    auto velocity = interpolate(*coupler, grid, surfaces.positions);
-    if (const auto correction = tangential_correction(stage.the_case)) {
-      const auto force = vectors_of(file, "total_force", surfaces, stage.in.string());
-      add_correction(*correction, *coupler, surfaces, force, velocity);
-    }
-    add_vectors(out, "velocity", velocity);
+    add_vectors(out, "velocity", velocity_of_nodes(*coupler, correction, grid, surfaces, force));
+  } catch (const coupler::CorrectionError& error) {
+    throw InputError(stage.in.string() + ": " + error.what());
   } catch (const std::invalid_argument& error) {
     throw InputError(stage.grid.string() + ": " + error.what());
   }

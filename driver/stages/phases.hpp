@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -32,17 +33,18 @@ GridVectors grid_velocity(const fluid::Fluid& fluid, std::span<const std::int64_
 /// the next step. @throws coupler::StencilError
 void build_stencils(coupler::Coupler& coupler, const NodeVectors& positions);
 
-/// 2. coupler: the velocity u_m(t) of the nodes (Eq. 2.3), with the stencils at x(t).
+/// 2. coupler: the velocity u_m(t) of the nodes (Eq. 2.3), with the stencils at x(t), and what a kernel takes
+/// off it along the surfaces (docs/kernels.md) if that is to be given back.
+/// @param correction nothing: as interpolated
 /// @param velocity on all nodes that the stencils touch, or more
-/// @param positions x(t), for the shape of the result
+/// @param surfaces at x(t)
+/// @param force F_m(t), looked at for the correction only
 /// @throws std::invalid_argument if a node that a stencil touches is missing
-NodeVectors interpolate(const coupler::Coupler& coupler, const GridVectors& velocity,
-                        const NodeVectors& positions);
-
-/// Adds what the kernel takes off the velocity along the surfaces (docs/kernels.md).
-/// @param surfaces at x(t), where the stencils stand @param force F_m(t)
-void add_correction(const coupler::TangentialCorrection& correction, const coupler::Coupler& coupler,
-                    const Surfaces& surfaces, const NodeVectors& force, NodeVectors& velocity);
+/// @throws coupler::CorrectionError
+NodeVectors velocity_of_nodes(const coupler::Coupler& coupler,
+                              const std::optional<coupler::TangentialCorrection>& correction,
+                              const GridVectors& velocity, const Surfaces& surfaces,
+                              const NodeVectors& force);
 
 /// 3. membrane: positions x(t+1) = x(t) + u_m(t) (Eq. 2.19). @throws LongMove, also for not a number
 NodeVectors move_nodes(const NodeVectors& positions, const NodeVectors& velocity);

@@ -36,27 +36,7 @@ std::vector<std::span<double>> targets_of(NodeVectors& vectors) {
   return spans;
 }
 
-}  // namespace
-
-void build_stencils(coupler::Coupler& coupler, const NodeVectors& positions) {
-  coupler.build(views(positions));
-}
-
-NodeVectors interpolate(const coupler::Coupler& coupler, const GridVectors& velocity,
-                        const NodeVectors& positions) {
-  NodeVectors result;
-  for (const auto& matrix : positions) result.emplace_back(3, matrix.cols());
-  const auto targets = targets_of(result);
-  if (std::ranges::equal(velocity.nodes, coupler.grid_nodes())) {
-    coupler.interpolate(velocity.values, targets);
-  } else {
-    coupler.interpolate(picked(velocity, coupler.grid_nodes()), targets);
-  }
-  return result;
-}
-
-void add_correction(const coupler::TangentialCorrection& correction, const coupler::Coupler& coupler,
-                    const Surfaces& surfaces, const NodeVectors& force, NodeVectors& velocity) {
+NodeVectors normals_of(const Surfaces& surfaces) {
   NodeVectors normals = zero_like(surfaces.positions);
   const auto positions = views(surfaces.positions);
   const auto targets = targets_of(normals);
@@ -65,7 +45,28 @@ void add_correction(const coupler::TangentialCorrection& correction, const coupl
     coupler::node_normals(positions[k], {triangles.data(), static_cast<std::size_t>(triangles.size())},
                           targets[k]);
   }
-  correction.add(coupler, views(normals), views(force), targets_of(velocity));
+  return normals;
+}
+
+}  // namespace
+
+void build_stencils(coupler::Coupler& coupler, const NodeVectors& positions) {
+  coupler.build(views(positions));
+}
+
+NodeVectors velocity_of_nodes(const coupler::Coupler& coupler,
+                              const std::optional<coupler::TangentialCorrection>& correction,
+                              const GridVectors& velocity, const Surfaces& surfaces,
+                              const NodeVectors& force) {
+  NodeVectors result = zero_like(surfaces.positions);
+  const auto targets = targets_of(result);
+  if (std::ranges::equal(velocity.nodes, coupler.grid_nodes())) {
+    coupler.interpolate(velocity.values, targets);
+  } else {
+    coupler.interpolate(picked(velocity, coupler.grid_nodes()), targets);
+  }
+  if (correction) correction->add(coupler, views(normals_of(surfaces)), views(force), targets);
+  return result;
 }
 
 GridVectors spread(coupler::Coupler& coupler, const NodeVectors& positions, const NodeVectors& force) {

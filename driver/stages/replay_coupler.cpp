@@ -7,13 +7,13 @@ namespace {
 
 void feed(ReplayRecord& record, const Case& the_case) {
   const auto coupler = make_coupler(the_case);
-  const auto correction = tangential_correction(the_case);
+  const auto correction = make_tangential_correction(the_case, *coupler);
   for (auto step = record.first_step(); step <= record.last_step(); ++step) {
     const auto before = record.surfaces_before(step);
     build_stencils(*coupler, before.positions);
-    auto velocity = interpolate(*coupler, record.grid(Packet::grid_velocity, step, true), before.positions);
-    if (correction) add_correction(*correction, *coupler, before, record.force_before(step), velocity);
-    record.compare(Packet::node_velocity, step, velocity);
+    record.compare(Packet::node_velocity, step,
+                   velocity_of_nodes(*coupler, correction, record.grid(Packet::grid_velocity, step, true),
+                                     before, record.force_before(step)));
     record.compare(
         Packet::grid_force, step,
         spread(*coupler, record.nodes(Packet::positions, step), record.nodes(Packet::node_force, step)));
@@ -26,6 +26,8 @@ void replay_coupler(ReplayRecord& record, const Case& the_case) {
   try {
     feed(record, the_case);
   } catch (const coupler::StencilError& error) {
+    throw InputError(error.what());
+  } catch (const coupler::CorrectionError& error) {
     throw InputError(error.what());
   }
 }

@@ -93,6 +93,8 @@ def add(case, directory, run, shear_times, command, log=None):
         raise InputError(f"run '{run}', command '{command}': no commas in a run's name, no line breaks in a command")
     file = pathlib.Path(case) / "measured" / "results.csv"
     blocks = read_blocks(file)
+    if not shear_times:
+        raise InputError(f"{directory}: the run ended before the first shear time of read_at in {pathlib.Path(case) / 'compare.toml'}")
     made = f"# {datetime.date.today().isoformat()}, commit {read_parameters(directory)['commit']}: {command}"
     blocks[run] = [made] + [",".join(row[name] for name in COLUMNS) for row in rows_of(directory, run, shear_times, log)]
     file.parent.mkdir(exist_ok=True)

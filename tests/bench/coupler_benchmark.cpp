@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupler/coupler.hpp"
+#include "coupler/tangential_correction.hpp"
 #include "tests/bench/bandwidth.hpp"
 #include "tests/unit/coupler_support.hpp"
 
@@ -40,6 +41,14 @@ class Capsule {
     coupler_.spread(surface, grid_force_);
   }
 
+  /// What the tangential correction adds to a step: normals, spread, interpolation.
+  void correct() {
+    node_normals(positions_[n_builds_ % 2], triangles_, normals_);
+    const std::span<const double> normals[] = {normals_}, force[] = {node_force_};
+    const std::span<double> velocity[] = {node_velocity_};
+    correction_.add(coupler_, normals, force, velocity);
+  }
+
   /// All that a step asks for, in its order: to the membrane with the old stencils, back with the new ones.
   void step() {
     interpolate();
@@ -59,11 +68,24 @@ class Capsule {
   static constexpr int n_nodes = 2562;
   static constexpr double radius = 19.1;
 
+  /// As many as the sphere has, between nodes that follow each other on the spiral.
+  static std::vector<int> some_triangles() {
+    std::vector<int> triangles;
+    for (int t = 0; t < 5120; ++t) {
+      const int first = t % (n_nodes - 2);
+      triangles.insert(triangles.end(), {first, first + 1, first + 2});
+    }
+    return triangles;
+  }
+
   Coupler coupler_;
+  TangentialCorrection correction_{coupler_, 1.0 / 6.0};
   std::vector<double> positions_[2];
   // What comes out of one call never goes into another: numbers that shrink round after round end below the
   // normal doubles, which some processors are slow at.
   std::vector<double> node_velocity_, node_force_, grid_velocity_, grid_force_;
+  std::vector<double> normals_ = std::vector<double>(3 * n_nodes);
+  std::vector<int> triangles_ = some_triangles();
   int n_builds_ = 0;
 };
 
@@ -92,5 +114,6 @@ int main(int argc, char** argv) {
   every_kernel("coupler_interpolate", &Capsule::interpolate);
   every_kernel("coupler_spread", &Capsule::spread);
   every_kernel("coupler_step", &Capsule::step);
+  every_kernel("coupler_correct", &Capsule::correct);
   return tanktread::bench::run(argc, argv);
 }

@@ -76,6 +76,11 @@ class Measured(InFolder):
         self.assertEqual({row["run"]: row["deformation"] for row in reference.read_table(file)}, {"a": "0.06", "b": "0.05"})
         self.assertEqual(text.count("# "), 2)
 
+    def test_refuses_a_run_of_which_nothing_is_read(self):
+        with self.assertRaisesRegex(measured.InputError, "before the first shear time of read_at"):
+            self.add("a", 0.04, times=())
+        self.assertFalse((self.folder / "case/measured/results.csv").exists())
+
     def test_refuses_a_run_that_is_not_finished(self):
         self.assert_refused(["not finished", "--resume"], self.add, "a", 0.04, end=1.0)
 

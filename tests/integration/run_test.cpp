@@ -60,6 +60,18 @@ TEST_F(Run, ACorrectedRunGoesOnBitForBitFromTheForceOfItsCheckpoint) {
   expect_killed_run_goes_on({"--set", "coupler.tangential_correction=true"});
 }
 
+TEST_F(Run, ACorrectedRunIsTheSameForAnyNumberOfThreadsAndNotThePlainOne) {
+  const std::vector<std::string> correct = {"--set", "coupler.tangential_correction=true"};
+  auto with_threads = correct;
+  with_threads.insert(with_threads.end(), {"--threads", "3"});
+  ASSERT_EQ(run_program(run_to("plain")).exit_code, 0);
+  ASSERT_EQ(run_program(run_to("one", correct)).exit_code, 0);
+  ASSERT_EQ(run_program(run_to("three", with_threads)).exit_code, 0);
+  const auto table = [&](const char* name) { return read_file(directory_ / name / "observables.csv"); };
+  EXPECT_EQ(table("one"), table("three"));
+  EXPECT_NE(table("one"), table("plain"));
+}
+
 TEST_F(Run, ShearTimeExtendsAFinishedRun) {
   ASSERT_EQ(run_program(run_to("long")).exit_code, 0);
   // 0.33 is on no schedule but that of the checkpoints' end: what it writes last must not stay in the longer

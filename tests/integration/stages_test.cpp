@@ -1,5 +1,7 @@
 // The stages: each component by itself from files, which must be the fused run bit for bit, and what they
 // refuse.
+#include <cmath>
+
 #include "exchange/vtk_files.hpp"
 #include "tests/integration/stages_fixture.hpp"
 
@@ -183,6 +185,12 @@ TEST_F(Stages, ACorrectionNeedsTheForceOfTheNodes) {
   std::filesystem::remove(path("velocity.vtu"));
   correct();
   EXPECT_THAT(stage(arguments, 2), AllOf(HasSubstr("positions_0000000003.vtu"), HasSubstr("total_force")));
+  const auto forces = path("record/node_force/node_force_0000000003.vtu");
+  change_packet(forces, [](auto& packet) { packet.point_data[0].values[3 * 5] = std::nan(""); });
+  auto with_forces = arguments;
+  with_forces[3] = forces;
+  EXPECT_THAT(stage(with_forces, 2), AllOf(HasSubstr("node_force_0000000003.vtu"),
+                                           HasSubstr("the force of node 5 of surface 0 is not finite")));
   EXPECT_FALSE(std::filesystem::exists(path("velocity.vtu")));
 }
 

@@ -143,14 +143,15 @@ TEST(CaseWarnings, ASpringTooStiffForAnExplicitUpdate) {
   EXPECT_THAT(with("spring_modulus = 16.0"),
               ElementsAre(AllOf(HasSubstr("N k_s' = 16 is over 5.33"), HasSubstr("by 3"))));
   EXPECT_THAT(with("spring_modulus = 0.53, interval = 10"), IsEmpty());
-  // With the tangential correction 8 mu_o = 1.33.
+  // With the tangential correction 6 mu_o = 1.
   const auto corrected = [](const std::string& modulus) {
     return warnings_of(
         {"membrane.viscous={scheme = \"fd\", boussinesq_shear = 100, spring_modulus = " + modulus + "}",
          "coupler.tangential_correction=true"});
   };
-  EXPECT_THAT(corrected("1.33"), IsEmpty());
-  EXPECT_THAT(corrected("1.34"), ElementsAre(HasSubstr("is over 1.33 = 8 mu_o")));
+  EXPECT_THAT(corrected("0.99"), IsEmpty());
+  EXPECT_THAT(corrected("1.01"), ElementsAre(AllOf(HasSubstr("is over 1 = 6 mu_o"),
+                                                   HasSubstr("leave out coupler.tangential_correction"))));
   EXPECT_THAT(with("spring_modulus = 0.54, interval = 10"), ElementsAre(HasSubstr("N k_s' = 5.4 is over")));
   EXPECT_THAT(with("spring_modulus = 0.1, boussinesq_dilatational = 100, spring_modulus_dilatational = 8"),
               ElementsAre(AllOf(HasSubstr("N k_d' = 8 is over"), HasSubstr("spring_..._dilatational"))));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "coupler/tangential_correction.hpp"
 #include "tests/unit/coupler_support.hpp"
 
 namespace tanktread::coupler {
@@ -42,6 +43,31 @@ TEST_P(CouplerDeterminism, AnyNumberOfThreadsGivesTheSameBits) {
     ASSERT_TRUE(std::ranges::equal(coupler.grid_nodes(), one_thread_.grid_nodes())) << threads;
     EXPECT_TRUE(same_bits(interpolate(coupler, field, sizes), velocity)) << threads;
     EXPECT_TRUE(same_bits(spread(coupler, force_), grid_force)) << threads;
+  }
+}
+
+// The correction of the velocities, all in one array.
+Numbers corrected(const Coupler& coupler, const std::vector<Numbers>& normals,
+                  const std::vector<Numbers>& force) {
+  const std::vector<std::span<const double>> normal_spans(normals.begin(), normals.end()),
+      force_spans(force.begin(), force.end());
+  std::vector<Numbers> velocity;
+  for (const auto& numbers : force) velocity.emplace_back(numbers.size(), 0.1);
+  const std::vector<std::span<double>> targets(velocity.begin(), velocity.end());
+  TangentialCorrection(coupler, 0.2).add(coupler, normal_spans, force_spans, targets);
+  return joined(velocity);
+}
+
+TEST_P(CouplerDeterminism, ACorrectionHasTheSameBitsForAnyNumberOfThreadsAndSurfaces) {
+  std::vector<Numbers> normals;
+  for (const auto& force : force_) normals.push_back(random_numbers(force.size(), -1, 1, 6));
+  const Numbers expected = corrected(one_thread_, normals, force_);
+  for (const int threads : {2, 7, 0}) {
+    Coupler coupler(box, GetParam(), threads), together(box, GetParam(), threads);
+    build(coupler, surfaces);
+    build(together, {joined(surfaces)});
+    EXPECT_TRUE(same_bits(corrected(coupler, normals, force_), expected)) << threads;
+    EXPECT_TRUE(same_bits(corrected(together, {joined(normals)}, {joined(force_)}), expected)) << threads;
   }
 }
 

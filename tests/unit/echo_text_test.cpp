@@ -94,7 +94,7 @@ TEST(Echo, SaysThatTheVelocityOfNodesIsCorrected) {
       least_case, {"coupler.tangential_correction=true",
                    "membrane.viscous={scheme = \"fd\", boussinesq_shear = 10, spring_stiffness = 100}"}));
   EXPECT_EQ(line_of(text, "kernel"), "kernel cosine4 with the tangential correction");
-  EXPECT_THAT(line_of(text, "N k_s'"), HasSubstr("stable up to 1.33 = 8 mu_o"));
+  EXPECT_THAT(line_of(text, "N k_s'"), HasSubstr("stable up to 1 = 6 mu_o"));
 }
 
 TEST(Echo, SiColumn) {

@@ -69,7 +69,7 @@ TEST(SymmetricTensor, IsTheMatrixOfItsComponents) {
   EXPECT_LT((on_both_sides(as, bs).matrix() - a * b * a).cwiseAbs().maxCoeff(), 12 * 5 * epsilon);
 }
 
-TEST(PolarDecomposition, GivesASymmetricStretchAndTwoOrthonormalAxes) {
+TEST(PolarDecomposition, GivesAPositiveStretchAndTwoOrthonormalAxes) {
   const auto gradient = gradient_of_map();
   const Eigen::Matrix2d c = cauchy_green(gradient).matrix();
   const auto found = right_stretch(cauchy_green(gradient));
