@@ -25,6 +25,7 @@ class Reading:
     commit: str  # of the program that made it
     scheme: str
     boussinesq_shear: float
+    corrected: bool  # with coupler.tangential_correction
     stiffness: float  # kappa
     interval: int  # N
     interval_times_spring: float  # N k_s', lattice units
@@ -35,6 +36,17 @@ class Reading:
     def outcome(self):
         """As the thesis's table has it."""
         return "breaks down" if self.broke_down else "stable"
+
+    @property
+    def series(self):
+        """The curve of D1 against kappa to which it belongs."""
+        return self.boussinesq_shear, self.corrected
+
+
+def name_of(series):
+    """How a curve is called in tables and pictures."""
+    number, corrected = series
+    return f"Bq_s = {number:g}" + (", corrected" if corrected else "")
 
 
 def first_peak(deformation):
@@ -51,7 +63,8 @@ def read_run(directory, log):
     broken = breakdown(log) is not None
     if not broken and not is_finished(directory):
         return None
-    viscous = read_echo(directory)["capsule"][0]["membrane"]["viscous"]
+    echo = read_echo(directory)
+    viscous = echo["capsule"][0]["membrane"]["viscous"]
     if "spring_stiffness" not in viscous:
         raise InputError(f"{directory}: membrane.viscous.spring_stiffness is not given, but the peak is read against it")
     parameters = read_parameters(directory)
@@ -60,6 +73,7 @@ def read_run(directory, log):
         commit=parameters["commit"],
         scheme=viscous["scheme"],
         boussinesq_shear=viscous["boussinesq_shear"],
+        corrected=bool(echo["coupler"].get("tangential_correction")),
         stiffness=viscous["spring_stiffness"],
         interval=viscous["interval"],
         interval_times_spring=parameters["capsule"][0]["viscous"]["interval_times_shear_spring"],
@@ -72,7 +86,7 @@ def read_runs(output):
     """The readings of all runs below a folder."""
     directories = sorted(path for path in pathlib.Path(output).iterdir() if is_run(path)) if pathlib.Path(output).is_dir() else []
     readings = (read_run(path, path.with_name(path.name + ".log")) for path in directories)
-    return sorted((r for r in readings if r is not None), key=lambda r: (r.boussinesq_shear, r.interval, r.stiffness, r.scheme))
+    return sorted((r for r in readings if r is not None), key=lambda r: (*r.series, r.interval, r.stiffness, r.scheme))
 
 
 def fit(stiffness, peak):
@@ -97,13 +111,17 @@ def fit(stiffness, peak):
     return a, best, c
 
 
+def curves(readings):
+    """{series: readings} of the stable runs with a peak, of the scheme `fd` alone: with the others a kappa would count twice."""
+    return {
+        series: [r for r in readings if r.series == series and r.scheme == "fd" and not math.isnan(r.peak)]
+        for series in sorted({r.series for r in readings})
+    }
+
+
 def fits(readings):
-    """{Bq_s: (A, b, c)} of the stable runs with a peak, of the scheme `fd` alone: with the others a kappa would count twice."""
-    result = {}
-    for number in sorted({r.boussinesq_shear for r in readings}):
-        chosen = [r for r in readings if r.boussinesq_shear == number and r.scheme == "fd" and not math.isnan(r.peak)]
-        result[number] = fit([r.stiffness for r in chosen], [r.peak for r in chosen])
-    return result
+    """{series: (A, b, c)} of the curves."""
+    return {series: fit([r.stiffness for r in curve], [r.peak for r in curve]) for series, curve in curves(readings).items()}
 
 
 def published_stability(case, settings):
@@ -117,10 +135,10 @@ def write_readings(readings, file):
     """A CSV of the readings: a row a run, those that broke down among them."""
     with open(file, "w", newline="") as stream:
         writer = csv.writer(stream, lineterminator="\n")
-        writer.writerow(("run", "scheme", "boussinesq_shear", "interval", "spring_stiffness", "interval_times_spring", "outcome", "first_peak", "commit"))
+        writer.writerow(("run", "scheme", "boussinesq_shear", "tangential_correction", "interval", "spring_stiffness", "interval_times_spring", "outcome", "first_peak", "commit"))
         for r in readings:
             peak = "" if math.isnan(r.peak) else f"{r.peak:.8g}"
-            numbers = (f"{r.boussinesq_shear:g}", r.interval, f"{r.stiffness:g}", f"{r.interval_times_spring:.6g}")
+            numbers = (f"{r.boussinesq_shear:g}", "true" if r.corrected else "", r.interval, f"{r.stiffness:g}", f"{r.interval_times_spring:.6g}")
             writer.writerow((r.run, r.scheme, *numbers, r.outcome, peak, r.commit))
 
 
@@ -142,13 +160,13 @@ def compare(output, case):
         ],
     )  # fmt: skip
     rows, verdicts = [], []
-    for number, values in fits(readings).items():
+    for series, values in fits(readings).items():
         for name, value, band in zip("Abc", values, (None, None, settings["band"])):
             if math.isnan(value):
                 continue
-            where = {"bq_s": number}
+            where = {"bq_s": series[0]}
             published = look_up(case, {"file": settings["fit"], "where": where, "column": name})
-            row, inside = table_row(f"Bq_s = {number:g}: {name}", "", value, published, True, band)
+            row, inside = table_row(f"{name_of(series)}: {name}", "", value, published, True, band)
             rows.append(row)
             verdicts.append(inside)
     if rows:

@@ -16,15 +16,17 @@ def plot_peaks(output, case, readings):
     published = {float(row["bq_s"]): row for row in read_table(pathlib.Path(case) / settings["fit"])}
     figure, axes = new_axes(r"stiffness of the spring  $\kappa$", "first peak  $D_1$")
     axes.set_xscale("log")
-    for colour, (number, (a, b, c)) in zip(COLOURS, first_peak.fits(readings).items()):
-        chosen = [r for r in readings if r.boussinesq_shear == number and r.scheme == "fd" and not math.isnan(r.peak)]
+    fits = first_peak.fits(readings)
+    for colour, (series, chosen) in zip(COLOURS, first_peak.curves(readings).items()):
         if not chosen:
             continue
-        axes.plot([r.stiffness for r in chosen], [r.peak for r in chosen], "o", color=colour, label=f"$Bq_s$ = {number:g}")
+        number, corrected = series
+        axes.plot([r.stiffness for r in chosen], [r.peak for r in chosen], "o", color=colour, label=first_peak.name_of(series))
+        a, b, c = fits[series]
         x = numpy.geomspace(1, max(r.stiffness for r in chosen), 100)
         if not math.isnan(a):
             axes.plot(x, a * x**-b + c, color=colour, linewidth=1)
-        if number in published:
+        if number in published and not (corrected and (number, False) in fits):
             a, b, c = (float(published[number][name]) for name in "Abc")
             axes.plot(x, a * x**-b + c, "--", color="black", linewidth=1, label=f"thesis, $Bq_s$ = {number:g}")
     if axes.has_data():

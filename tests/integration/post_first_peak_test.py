@@ -25,10 +25,13 @@ band = 0.01
 """
 
 
-def write_peak(folder, stiffness, peak, number=10.0, interval=1, scheme="fd"):
+def write_peak(folder, stiffness, peak, number=10.0, interval=1, scheme="fd", corrected=False):
     """A finished run whose D rises to a peak, falls, and rises to a higher one later."""
     viscous = {"scheme": scheme, "boussinesq_shear": number, "spring_stiffness": stiffness, "interval": interval}
     write_echo(folder, viscous=viscous, shear_time=3.0)
+    if corrected:
+        echo = folder / "echo.toml"
+        echo.write_text(echo.read_text().replace("[coupler]", "[coupler]\ntangential_correction = true"))
     with open(folder / "parameters.toml", "a") as stream:
         stream.write(f"viscous.interval_times_shear_spring = {interval * stiffness / 675!r}\n")
     times = numpy.linspace(0, 3, 301)
@@ -105,6 +108,23 @@ class FirstPeak(InFolder):
         before = first_peak.fits(first_peak.read_runs(self.folder))
         write_peak(self.folder / "k10-int1", 10.0, 0.9, scheme="int1")
         self.assertEqual(first_peak.fits(first_peak.read_runs(self.folder)), before)
+
+    def test_corrected_runs_are_a_curve_of_their_own(self):
+        case = self.written(0.35)
+        before = first_peak.fits(first_peak.read_runs(self.folder))
+        for stiffness in (1.0, 3.0, 10.0, 100.0):
+            write_peak(self.folder / f"corrected-k{stiffness:g}", stiffness, 0.03 / stiffness + 0.36, corrected=True)
+        fits = first_peak.fits(first_peak.read_runs(self.folder))
+        self.assertEqual(fits[10.0, False], before[10.0, False])
+        self.assertAlmostEqual(fits[10.0, True][2], 0.36, delta=1e-3)
+        output = io.StringIO()
+        with contextlib.redirect_stdout(output):
+            self.assertEqual(first_peak.compare(self.folder, case), 1)  # 0.36 is 3 % off, the band 1 %
+        self.assertRegex(output.getvalue(), r"Bq_s = 10, corrected: c")
+        file = measured.add_readings(case, first_peak.read_runs(self.folder), "cases/run case")
+        rows = {row["run"]: row for row in reference.read_table(file)}
+        self.assertEqual([rows[run]["tangential_correction"] for run in ("k10", "corrected-k10")], ["", "true"])
+        self.assertEqual(len(plot_first_peak.plot_first_peak(self.folder, case)), 2)
 
     def test_measured_readings_hold_the_runs_that_broke_down(self):
         case = self.written(0.35)
