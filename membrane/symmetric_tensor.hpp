@@ -6,8 +6,7 @@
 namespace tanktread::membrane {
 
 /// What strains and stresses of an element are. As numbers they stay in registers through the loop over
-/// elements, where 2 x 2 matrices are written to memory and read again: a viscous membrane takes a quarter
-/// less time so.
+/// elements, where 2 x 2 matrices are written to memory and read again.
 struct SymmetricTensor {
   double xx = 0, xy = 0, yy = 0;
 

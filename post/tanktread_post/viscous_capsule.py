@@ -20,9 +20,9 @@ with M the product of the two steps above. D is |w|, and the inclination half it
 small, while Ca_G Bq need not be.
 
 From rest, with the viscous stress behind a spring (a Maxwell element: it is that of a strain rate r which follows the strain's with the
-relaxation time T), and as seen from the element, where the flow turns as exp(i t),
+relaxation time theta), and as seen from the element, where the flow turns as exp(i t),
 
-    d(w, v)/dt = q_E exp(i t) (1, 1/2) + M(G_s, K_s) (w, v) + M(mu_s, mu_d) r,    T dr/dt = d(w, v)/dt - r.
+    d(w, v)/dt = q_E exp(i t) (1, 1/2) + M(G_s, K_s) (w, v) + M(mu_s, mu_d) r,    theta dr/dt = d(w, v)/dt - r.
 
 An immersed boundary spreads the force over a few grid steps and takes the velocity from as many. There the tangential velocity has a
 kink of f_t, and the mean over it is short by loss f_t, loss = C dx/a with the C of docs/kernels.md: so much less is the tangential
@@ -64,7 +64,7 @@ def steady_state(capillary_number, boussinesq_shear=0.0, boussinesq_dilatational
 
 def start_up(shear_time, capillary_number, boussinesq_shear, spring_relaxation_time, area_modulus=3.0, loss=0.0):
     """(D, inclination in degrees) at a shear time, from a sphere at rest in the developed flow. spring_relaxation_time is
-    tau_s g = mu_s g/k_s', positive, of which T is the double; the membrane has no dilatational viscosity."""
+    tau_s g = mu_s g/k_s', positive, of which theta is the double; the membrane has no dilatational viscosity."""
     one = numpy.eye(2)
     elastic = _response(1 / capillary_number, area_modulus / capillary_number, loss)
     viscous = _response(boussinesq_shear, 0, loss)
