@@ -39,7 +39,8 @@ inline const std::vector<Moments>& known_moments() {
        0.0,
        {3.0 / 8.0, 3.0 / 8.0},
        0.5230,
-       // With c and s', cosine and sine of pi s/2, the sum is (4 - c - s' + c s')/8; the means are 2/pi, 2/pi,
+       // With c and s', cosine and sine of pi s/2, the sum is (4 - c - s' + c s')/8; the means are 2/pi,
+       // 2/pi,
        // 1/pi.
        0.5 - 3.0 / (8.0 * std::numbers::pi)},
       // Even-odd: at s = 0 it is 2/3 - 1/3.
