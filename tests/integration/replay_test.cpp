@@ -25,6 +25,17 @@ TEST_P(ReplayedRun, GivesWhatItGaveComponentByComponent) {
   }
 }
 
+TEST_F(Replay, ACorrectionFromAForceThatIsNotFiniteIsRefused) {
+  correct();
+  record(5);
+  const auto file = path("record/node_force/node_force_0000000008.vtu");
+  auto surface = exchange::read_surface(file);
+  surface.point_data[0].values[3 * 5] = std::nan("");
+  exchange::write_surface(file, surface);
+  EXPECT_THAT(call({"replay", path("record"), "--only", "coupler"}, 2),
+              HasSubstr("the force of node 5 of surface 0 is not finite"));
+}
+
 TEST_F(Replay, TheRecordOfAResumedRunIsTheSame) {
   record(10);
   call({"run", path("case.toml"), "--output", path("half"), "--shear-time", "0.02"});
