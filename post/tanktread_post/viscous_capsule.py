@@ -1,4 +1,4 @@
-"""The shape of a capsule with a viscous membrane in shear flow, for small deformation: steady, and from rest.
+"""The shape of a capsule or a drop with a viscous membrane in shear flow, for small deformation: steady, and of the capsule from rest.
 
 To first order the membrane of a sphere moves in shear flow as a rigid one turns, at g/2, and strains by a second spherical
 harmonic. With Y = n.E.n/g, E the rate of strain of the flow, its displacement is a (w Y e_r + v grad_s Y) (grad_s of the unit
@@ -24,6 +24,12 @@ relaxation time theta), and as seen from the element, where the flow turns as ex
 
     d(w, v)/dt = q_E exp(i t) (1, 1/2) + M(G_s, K_s) (w, v) + M(mu_s, mu_d) r,    theta dr/dt = d(w, v)/dt - r.
 
+A drop has a tension gamma in place of the elasticity. On the deformed sphere it makes the force f_r = -4 gamma w and nothing along the
+surface, with gamma = 1/Ca; the viscosities work as before on the surface velocity, i (w, v), in which v is not a displacement any more, for
+the surface of a drop strains for ever. The surface velocity also carries the shape along, but of that nothing is left in the shear plane, to
+first order in Ca: the square of E is isotropic there. So D/Ca and (45 degrees - inclination)/Ca are exact for Ca to 0. Without viscosity D is
+(35/32) Ca, that of Taylor (1932) for lambda = 1; the inclination falls by (35/32) Ca, that of Chaffey and Brenner (1967).
+
 An immersed boundary spreads the force over a few grid steps and takes the velocity from as many. There the tangential velocity has a
 kink of f_t, and the mean over it is short by loss f_t, loss = C dx/a with the C of docs/kernels.md: so much less is the tangential
 mobility. The radial velocity has no kink.
@@ -35,9 +41,13 @@ import math
 import numpy
 
 
-def _response(shear, area, loss):
-    """M(G, K): the velocity (w, v) that the fluid takes from the force of a membrane displaced by (w, v)."""
-    force = numpy.array([[-4 * area, 12 * area], [2 * area, -(6 * area + 4 * shear)]])  # (f_r, f_t) of (w, v)
+def _force(shear, area):
+    """The force (f_r, f_t) of a membrane displaced by (w, v)."""
+    return numpy.array([[-4 * area, 12 * area], [2 * area, -(6 * area + 4 * shear)]])
+
+
+def _response(force, loss):
+    """M: the velocity (w, v) that the fluid takes from a force (f_r, f_t) that is a matrix times the displacement (w, v)."""
     to_eigenfunctions = numpy.array([[-1, 2], [1, 3]]) / 5  # of (f_r, f_t)
     velocity = numpy.array([[-3, 2], [1, 1]]) @ numpy.diag([2 / 35, 1 / 5])  # (radial, tangential) of these
     mobility = velocity @ to_eigenfunctions
@@ -58,7 +68,15 @@ def steady_state(capillary_number, boussinesq_shear=0.0, boussinesq_dilatational
     tangential mobility to an immersed boundary."""
     shear = 1 / capillary_number + 1j * boussinesq_shear
     area = area_modulus / capillary_number + 1j * boussinesq_dilatational
-    w, _ = numpy.linalg.solve(1j * numpy.eye(2) - _response(shear, area, loss), FLOW)
+    w, _ = numpy.linalg.solve(1j * numpy.eye(2) - _response(_force(shear, area), loss), FLOW)
+    return _shape(w)
+
+
+def drop_steady_state(capillary_number, boussinesq_shear=0.0, boussinesq_dilatational=0.0, loss=0.0):
+    """(D, inclination in degrees) of a drop. Capillary number by the interfacial tension; both errors are of third order in it."""
+    tension = numpy.array([[-4 / capillary_number, 0], [0, 0]])
+    force = tension + _force(1j * boussinesq_shear, 1j * boussinesq_dilatational)
+    w, _ = numpy.linalg.solve(1j * numpy.eye(2) - _response(force, loss), FLOW)
     return _shape(w)
 
 
@@ -66,8 +84,8 @@ def start_up(shear_time, capillary_number, boussinesq_shear, spring_relaxation_t
     """(D, inclination in degrees) at a shear time, from a sphere at rest in the developed flow. spring_relaxation_time is
     tau_s g = mu_s g/k_s', positive, of which theta is the double; the membrane has no dilatational viscosity."""
     one = numpy.eye(2)
-    elastic = _response(1 / capillary_number, area_modulus / capillary_number, loss)
-    viscous = _response(boussinesq_shear, 0, loss)
+    elastic = _response(_force(1 / capillary_number, area_modulus / capillary_number), loss)
+    viscous = _response(_force(boussinesq_shear, 0), loss)
     rate = 1 / (2 * spring_relaxation_time)
     # Of (w, v) and r, turned with the flow, whose forcing is constant then.
     growth = numpy.block([[elastic, viscous], [rate * elastic, rate * (viscous - one)]]) - 1j * numpy.eye(4)

@@ -1,4 +1,4 @@
-"""Tests of the theory of a viscous capsule at small deformation."""
+"""Tests of the theory of a viscous capsule or drop at small deformation."""
 
 import csv
 import math
@@ -7,7 +7,7 @@ import unittest
 from post_fixture import ROOT, InFolder
 
 from tanktread_post import small_deformation
-from tanktread_post.viscous_capsule import start_up, steady_state
+from tanktread_post.viscous_capsule import drop_steady_state, start_up, steady_state
 
 
 class SteadyState(InFolder):
@@ -64,6 +64,44 @@ class LossOfMobility(unittest.TestCase):
         for loss in (0.0, 0.02, 0.05):
             deformation, _ = start_up(1e-3, 1e6, 1e6, 1e-6, loss=loss)
             self.assertAlmostEqual(deformation / 1e-3, 0.5 * (1 - 0.6 / (1 - 7 * loss)), delta=2e-3)
+
+
+class Drop(unittest.TestCase):
+    CA = 1e-5  # the next order is a share of Ca^2 of D and of the angle from 45 degrees
+
+    def over_ca(self, **viscosities):
+        """D and the angle short of 45 degrees, in radians, over Ca."""
+        deformation, inclination = drop_steady_state(self.CA, **viscosities)
+        return deformation / self.CA, math.radians(45 - inclination) / self.CA
+
+    # (19 lambda + 16)/(16 (1 + lambda)) and (19 lambda + 16)(2 lambda + 3)/(80 (1 + lambda)) with lambda = 1.
+    def test_without_viscosity_is_that_of_taylor_and_of_chaffey_and_brenner(self):
+        deformation, angle = self.over_ca()
+        self.assertAlmostEqual(deformation, 35 / 32, delta=1e-7)
+        self.assertAlmostEqual(angle, 35 / 32, delta=1e-7)
+
+    # Flumerfelt's D for Ca = 0.33, Bq_s = 5 is 0.231 at 31.9 degrees (quoted in Table 2.1 of the thesis), and his D is its limit for small
+    # Ca times cos(2 (45 - 31.9 degrees)). Half a unit of the last digits is 0.22 and 0.09 % of it. (His angle differs from this one.)
+    def test_with_shear_viscosity_d_is_that_of_flumerfelt(self):
+        deformation, _ = self.over_ca(boussinesq_shear=5)
+        expected = 0.231 / math.cos(math.radians(2 * (45 - 31.9))) / 0.33
+        self.assertAlmostEqual(deformation / expected, 1, delta=0.0031)
+
+    # A surface that cannot change its area strains with v = w/3 (div_s of the two is 2 w - 6 v), and nothing moves in the steady limit but
+    # by a tension s, f = s (-2 Y e_r + grad_s Y): (1, 1/2) + M (s (-2, 1) - (4/Ca) (w, 0)) = 0 with M = [[4, 6], [1, 5]]/35 gives
+    # s = -5/2 (tangential: 35/2 + 3 s - 4 w/Ca = 0; radial: 35 - 2 s - 16 w/Ca = 0), w/Ca = 5/2, D = w/2.
+    def test_with_a_large_dilatational_viscosity_the_surface_keeps_its_area(self):
+        deformation, _ = self.over_ca(boussinesq_dilatational=1e9)
+        self.assertAlmostEqual(deformation, 5 / 4, delta=1e-6)
+
+    def test_the_reference_of_the_case_is_this_theory(self):
+        lines = (ROOT / "cases/small-deformation-viscous/reference/drop.csv").read_text().splitlines()
+        rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+        self.assertEqual(len(rows), 3)
+        for row in rows:
+            deformation, inclination = drop_steady_state(0.05, float(row["bq_s"]), float(row["bq_d"]))
+            self.assertAlmostEqual(deformation, float(row["deformation"]), delta=1e-6)
+            self.assertAlmostEqual(inclination, float(row["inclination_deg"]), delta=1e-4)
 
 
 class StartUp(unittest.TestCase):
