@@ -104,7 +104,7 @@ TangentialCorrection::TangentialCorrection(const Coupler& coupler, double viscos
 void TangentialCorrection::add(const Coupler& coupler, std::span<const std::span<const double>> normals,
                                std::span<const std::span<const double>> force,
                                std::span<const std::span<double>> velocity) const {
-  if (coupler.kernel().name != kernel_.name) {
+  if (coupler.kernel().function != kernel_.function) {
     throw std::invalid_argument("coupler: a correction of kernel '" + kernel_.name + "' with a coupler of '" +
                                 coupler.kernel().name + "'");
   }

@@ -7,11 +7,12 @@ namespace tanktread::driver {
 
 namespace {
 
-/// Nothing that walls drive is twenty times as fast as they are: the membrane then moves by itself, as where
+/// Nothing that walls alone drive is five times as fast as they are: the membrane then moves by itself, as where
 /// its springs are too stiff for the time step, and goes on without the flow ever reaching the first limit.
 double preset_speed_limit(const FlowCase& flow, double wall_speed) {
-  constexpr double of_the_lattice = 0.3, wall_speeds = 20;
-  return flow.kind == "periodic" ? of_the_lattice : std::min(of_the_lattice, wall_speeds * wall_speed);
+  constexpr double of_the_lattice = 0.3, wall_speeds = 5;
+  const bool walls_alone = flow.kind != "periodic" && flow.body_force == std::array<double, 3>{};
+  return walls_alone ? std::min(of_the_lattice, wall_speeds * wall_speed) : of_the_lattice;
 }
 
 }  // namespace

@@ -9,8 +9,8 @@ namespace tanktread::driver {
 
 /// Advances the system from t to t+1.
 /// @throws RunError on NaN, excess speed, a node that moves over half a grid step, an inverted element, a
-/// stencil that
-///         reaches beyond a wall. The system is then of no use: go back to a checkpoint.
+///         stencil that reaches beyond a wall, a tangential correction from what is not finite. The system is
+///         then of no use: go back to a checkpoint.
 void advance(System& system);
 
 /// The same; each packet goes from one phase to the next by way of `passage`.

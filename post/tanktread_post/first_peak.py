@@ -119,9 +119,28 @@ def curves(readings):
     }
 
 
-def fits(readings):
-    """{series: (A, b, c)} of the curves."""
-    return {series: fit([r.stiffness for r in curve], [r.peak for r in curve]) for series, curve in curves(readings).items()}
+def fits(readings, smallest=0.0):
+    """{series: (A, b, c)} of the curves, of their part from a smallest stiffness on."""
+    chosen = {series: [r for r in curve if r.stiffness >= smallest] for series, curve in curves(readings).items()}
+    return {series: fit([r.stiffness for r in curve], [r.peak for r in curve]) for series, curve in chosen.items()}
+
+
+def fit_rows(readings, case, settings):
+    """Rows of the table of fits, and whether each lies in its band: all springs, judged; then those from `also_from` on, if given."""
+    rows, verdicts = [], []
+    for smallest, bands in ((0.0, (None, None, settings["band"])), (settings.get("also_from"), (None, None, None))):
+        if smallest is None:
+            continue
+        for series, values in fits(readings, smallest).items():
+            for name, value, band in zip("Abc", values, bands):
+                if math.isnan(value):
+                    continue
+                published = look_up(case, {"file": settings["fit"], "where": {"bq_s": series[0]}, "column": name})
+                part = f", kappa from {smallest:g}" if smallest else ""
+                row, inside = table_row(f"{name_of(series)}{part}: {name}", "", value, published, True, band)
+                rows.append(row)
+                verdicts.append(inside)
+    return rows, verdicts
 
 
 def published_stability(case, settings):
@@ -159,16 +178,7 @@ def compare(output, case):
             for bq, n, kappa, product, outcome in published_stability(case, settings)
         ],
     )  # fmt: skip
-    rows, verdicts = [], []
-    for series, values in fits(readings).items():
-        for name, value, band in zip("Abc", values, (None, None, settings["band"])):
-            if math.isnan(value):
-                continue
-            where = {"bq_s": series[0]}
-            published = look_up(case, {"file": settings["fit"], "where": where, "column": name})
-            row, inside = table_row(f"{name_of(series)}: {name}", "", value, published, True, band)
-            rows.append(row)
-            verdicts.append(inside)
+    rows, verdicts = fit_rows(readings, case, settings)
     if rows:
         print_rows("D1 = A kappa^-b + c", ("quantity", "", "ours", "thesis", "difference", "band", ""), rows)
     return 1 if False in verdicts else 0

@@ -57,7 +57,7 @@ SECTIONS = {
         ),
         (),
     ),
-    "first_peak": (("fit", "stability", "stability_spring", "band"), ()),
+    "first_peak": (("fit", "stability", "stability_spring", "band"), ("also_from",)),
 }  # fmt: skip
 
 

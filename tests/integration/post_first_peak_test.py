@@ -94,6 +94,18 @@ class FirstPeak(InFolder):
         self.assertNotIn("begun", text)
         self.assertEqual(self.compared(0.36)[0], 1)
 
+    def test_a_fit_without_the_softest_springs_is_shown_and_not_judged(self):
+        case = self.written(0.35)
+        (case / "compare.toml").write_text(COMPARE + "also_from = 3\n")
+        write_peak(self.folder / "k1", 1.0, 0.36)  # 0.02 below the law of the others
+        write_peak(self.folder / "k30", 30.0, 0.351)
+        output = io.StringIO()
+        with contextlib.redirect_stdout(output):
+            code = first_peak.compare(self.folder, case)
+        self.assertEqual(code, 1, output.getvalue())
+        self.assertRegex(output.getvalue(), r"Bq_s = 10: c .*OUTSIDE")
+        self.assertRegex(output.getvalue(), r"Bq_s = 10, kappa from 3: c .*[+-]0\.00 % +shown only")
+
     def test_the_spring_is_that_of_the_run(self):
         self.written(0.35)
         broken = next(r for r in first_peak.read_runs(self.folder) if r.broke_down)

@@ -110,7 +110,7 @@ TEST(Step, CheckpointGoesOnBitForBit) {
 
 TEST(Step, StopsOnExcessSpeed) {
   auto system = make(parse({"flow.speed_limit=0.018"}));
-  EXPECT_THAT(breakdown(system), AllOf(HasSubstr("step "), HasSubstr("node ("), HasSubstr("0.018")));
+  EXPECT_THAT(breakdown(system), AllOf(HasSubstr("step "), HasSubstr("node ("), HasSubstr("0.018 (flow.speed_limit)")));
 }
 
 TEST(Step, StopsOnALongMove) {
@@ -164,6 +164,13 @@ TEST(Step, StopsOnNotANumber) {
   positions(0, 3) = std::nan("");
   system.membranes[0].set_positions(positions);
   EXPECT_THAT(breakdown(system), HasSubstr("not finite"));
+}
+
+TEST(Step, StopsWhereTheTangentialCorrectionHasAForceThatIsNotFinite) {
+  auto system = make(parse({"coupler.tangential_correction=true"}));
+  advance(system);
+  system.node_force[1](2, 7) = std::nan("");
+  EXPECT_THAT(breakdown(system), HasSubstr("step 2: the force of node 7 of surface 1 is not finite"));
 }
 
 }  // namespace

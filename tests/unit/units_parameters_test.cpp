@@ -48,8 +48,9 @@ TEST(UnitsParameters, SpeedLimitByTheWalls) {
     return parameters(parse(text, keys)).speed_limit;
   };
   const std::string by_wall_speed = "flow={box=[36, 40, 44], wall_speed=1e-3}";
-  EXPECT_EQ(limit(least_case, {by_wall_speed}), 20 * 1e-3);
-  EXPECT_EQ(limit(least_case, {by_wall_speed, "flow.wall_speed=0.02"}), 0.3);
+  EXPECT_EQ(limit(least_case, {by_wall_speed}), 5 * 1e-3);
+  EXPECT_EQ(limit(least_case, {by_wall_speed, "flow.wall_speed=0.07"}), 0.3);
+  EXPECT_EQ(limit(least_case, {by_wall_speed, "flow.body_force=[0.0, 1e-6, 0.0]"}), 0.3);
   EXPECT_EQ(limit(least_case, {by_wall_speed, "flow.speed_limit=0.1"}), 0.1);
   EXPECT_EQ(limit(droplet_case, {}), 0.3);  // periodic: no walls
 }
