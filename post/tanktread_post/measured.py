@@ -1,5 +1,5 @@
 """Measured results of a case: cases/NAME/measured/results.csv, to which runs are added with command, date, and
-the commit of the program that made them.
+the commit of the program that made them; and means.csv, of what a run does in the long run.
 
 Each run is one block: a comment line that says how it was made, then its rows. Measuring a run again replaces
 its block.
@@ -20,6 +20,7 @@ COST = ("mlups", "fluid_percent", "coupler_percent", "membrane_percent")
 VISCOUS = ("scheme", "boussinesq_shear", "boussinesq_dilatational", "spring", "interval", "strain_sampling")
 COUPLER = ("tangential_correction",)  # true, or nothing
 COLUMNS = ("run", *PARAMETERS, "shear_time", *QUANTITIES, *COST, *VISCOUS, *COUPLER)
+MEANS = ("run", "from", "to", *QUANTITIES, "highest_deformation", "highest_at")  # means, but for the last two: over the whole run
 
 
 def parameters(echo):
@@ -69,8 +70,17 @@ def program_commit():
     return said[said.index("(commit ") :].removeprefix("(commit ").rstrip(")\n")
 
 
-def read_blocks(file):
-    """The blocks of a results file: {run: lines}, in their order."""
+def means_of(directory, run, start, end):
+    """The row of one run, with the means from one shear time to another, as a dictionary of text."""
+    observables = Observables(directory)
+    means = {name: f"{observables.mean(name, start, end):.10g}" for name in QUANTITIES}
+    top = observables["deformation"].argmax()
+    highest = {"highest_deformation": f"{observables['deformation'][top]:.10g}", "highest_at": f"{observables['shear_time'][top]:g}"}
+    return {"run": run, "from": f"{start:g}", "to": f"{end:g}", **means, **highest}
+
+
+def read_blocks(file, columns):
+    """The blocks of a file of results: {run: lines}, in their order."""
     blocks, comment = {}, None
     for line in file.read_text().splitlines()[1:] if file.is_file() else []:
         if line.startswith("#"):
@@ -81,25 +91,42 @@ def read_blocks(file):
                 blocks[run] = [comment]
                 comment = None
             # A file of before a column was added: its cells are empty.
-            blocks.setdefault(run, []).append(line + "," * (len(COLUMNS) - 1 - line.count(",")))
+            blocks.setdefault(run, []).append(line + "," * (len(columns) - 1 - line.count(",")))
     return blocks
 
 
-def add(case, directory, run, shear_times, command, log=None):
-    """Adds a finished run to measured/results.csv of a case (or replaces it there). Returns the file."""
+def _add_block(file, columns, directory, run, rows, command):
+    """Adds the rows of a finished run to a file of results, or replaces them there."""
+    blocks = read_blocks(file, columns)
+    made = f"# {datetime.date.today().isoformat()}, commit {read_parameters(directory)['commit']}: {command}"
+    blocks[run] = [made] + [",".join(row[name] for name in columns) for row in rows]
+    file.parent.mkdir(exist_ok=True)
+    lines = [",".join(columns)] + [line for block in blocks.values() for line in block]
+    file.write_text("\n".join(lines) + "\n")
+
+
+def _refuse_what_cannot_be_added(directory, run, command):
     if not is_finished(directory):
         raise InputError(f"{directory}: the run is not finished; go on with: tanktread run --resume {directory}")
     if "," in run or "\n" in command:
         raise InputError(f"run '{run}', command '{command}': no commas in a run's name, no line breaks in a command")
+
+
+def add(case, directory, run, shear_times, command, log=None):
+    """Adds a finished run to measured/results.csv of a case (or replaces it there). Returns the file."""
+    _refuse_what_cannot_be_added(directory, run, command)
     file = pathlib.Path(case) / "measured" / "results.csv"
-    blocks = read_blocks(file)
     if not shear_times:
         raise InputError(f"{directory}: the run ended before the first shear time of read_at in {pathlib.Path(case) / 'compare.toml'}")
-    made = f"# {datetime.date.today().isoformat()}, commit {read_parameters(directory)['commit']}: {command}"
-    blocks[run] = [made] + [",".join(row[name] for name in COLUMNS) for row in rows_of(directory, run, shear_times, log)]
-    file.parent.mkdir(exist_ok=True)
-    lines = [",".join(COLUMNS)] + [line for block in blocks.values() for line in block]
-    file.write_text("\n".join(lines) + "\n")
+    _add_block(file, COLUMNS, directory, run, rows_of(directory, run, shear_times, log), command)
+    return file
+
+
+def add_means(case, directory, run, stretch, command):
+    """Adds the means of a finished run over a stretch of shear time [start, end] to measured/means.csv. Returns the file."""
+    _refuse_what_cannot_be_added(directory, run, command)
+    file = pathlib.Path(case) / "measured" / "means.csv"
+    _add_block(file, MEANS, directory, run, [means_of(directory, run, *stretch)], command)
     return file
 
 

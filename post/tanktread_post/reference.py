@@ -1,7 +1,7 @@
 """The numbers a case is held against: compare.toml and the tables of its reference/ folder.
 
 A compare.toml has a title, a source (default "reference"), in a case of many runs `read_at` (the shear times at which
---measure reads each run), and any of
+--measure reads each run) and `means_over` (a stretch of shear time, over which it takes the means of each run that is as long), and any of
 
     [[value]]            a value at a shear time, held against a reference
     run = "mesh-3"       which run; left out in a case of one run
@@ -42,7 +42,7 @@ from .observables import InputError
 
 
 # The keys of compare.toml: those an entry must have, those it may have.
-MAIN = (("title",), ("source", "read_at"))
+MAIN = (("title",), ("source", "read_at", "means_over"))
 ENTRIES = {
     "value": (("reference",), ("run", "name", "shear_time", "mean_over", "table", "where", "column", "band", "relative")),
     "slope": (("table", "where", "x", "y", "reference"), ("name", "band", "relative")),

@@ -185,6 +185,10 @@ class RunBuilt(InFolder):
         self.assertIn(", commit abc: cases/run many first\nfirst,skalak,0.02,", text)
         self.assertTrue((self.folder / "cases/many/measured/deformation.png").is_file())
         compare = self.folder / "cases/many/compare.toml"
+        for stretch, there in (([1.0, 4.3], False), ([1.0, 4.0], True)):  # the run ends at 4.2
+            compare.write_text(COMPARE.format(band=0.01).replace("read_at", f"means_over = {stretch}\nread_at"))
+            self.assertEqual(self.run_it("many", "first", "--measure")[0], 0)
+            self.assertEqual((self.folder / "cases/many/measured/means.csv").is_file(), there)
         compare.write_text(compare.read_text().replace("read_at = [4.0]\n", ""))
         code, output, calls = self.run_it("many", "second", "--measure")
         self.assertEqual((code, calls), (2, []), output)

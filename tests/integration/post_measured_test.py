@@ -2,7 +2,7 @@
 
 import unittest
 
-from post_fixture import InFolder, write_run
+from post_fixture import InFolder, write_observables, write_run
 
 from tanktread_post import measured, reference, run_folder
 
@@ -75,6 +75,19 @@ class Measured(InFolder):
         self.assertNotIn("commit one", text)
         self.assertEqual({row["run"]: row["deformation"] for row in reference.read_table(file)}, {"a": "0.06", "b": "0.05"})
         self.assertEqual(text.count("# "), 2)
+
+    def test_means_are_those_of_a_stretch_beside_the_highest_deformation_of_all(self):
+        write_run(self.folder / "run")
+        (self.folder / "case").mkdir()
+        rows = [{"shear_time": str(t), "deformation": str(d), "volume_ratio": "0.99"} for t, d in enumerate((0, 0.5, 0.2, 0.3, 0.25))]
+        write_observables(self.folder / "run", rows)
+        for number in (1, 2):  # the second replaces the first
+            file = measured.add_means(self.folder / "case", self.folder / "run", "run", (2, 4), f"command {number}")
+        (row,) = reference.read_table(file)
+        self.assertIn("command 2", file.read_text())
+        self.assertNotIn("command 1", file.read_text())
+        self.assertEqual((row["from"], row["to"], row["deformation"], row["volume_ratio"]), ("2", "4", "0.2625", "0.99"))
+        self.assertEqual((row["highest_deformation"], row["highest_at"]), ("0.5", "1"))
 
     def test_refuses_a_run_of_which_nothing_is_read(self):
         with self.assertRaisesRegex(measured.InputError, "before the first shear time of read_at"):
