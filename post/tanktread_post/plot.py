@@ -20,6 +20,7 @@ PLOTS = {
 SMALLEST_DEFORMATION = 1e-5
 # Distinguishable with every common form of colour blindness (Okabe and Ito).
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000")
+LINES = ("solid", "dashed", "dotted", "dashdot")  # when the colours have run out
 
 
 def new_axes(x_label, y_label):
@@ -51,25 +52,37 @@ def run_folders(output):
     return found
 
 
+def _plot_quantity(name, runs, values, source, file):
+    """One quantity of runs against shear time, and the references of `values` that are of it. Returns the file."""
+    figure, axes = new_axes(r"shear time  $\dot\gamma t$", PLOTS[name][1])
+    for k, (run, observables) in enumerate(runs.items()):
+        # The inclination of a sphere has no meaning: what is hardly deformed is left out.
+        drawn = observables["deformation"] > SMALLEST_DEFORMATION if name == "inclination_deg" else slice(None)
+        x, y = observables["shear_time"][drawn], observables[name][drawn]
+        axes.plot(x, y, color=COLOURS[k % len(COLOURS)], linestyle=LINES[k // len(COLOURS) % len(LINES)], label=run)
+    # The reference of a mean is drawn at the end of its stretch of time.
+    points = sorted({(v.get("shear_time") or v["mean_over"][1], v["reference"]) for v in values if v["name"] == name})
+    if points:
+        axes.plot(*zip(*points), "o", color="black", markerfacecolor="white", markersize=7, label=source, zorder=3)
+    axes.set_xlim(left=0)
+    axes.legend(frameon=False, fontsize="small" if len(runs) > 6 else None)
+    return save(figure, file)
+
+
 def plot_observables(output, case=None):
-    """Writes one PNG for each of D and inclination into the folder. Returns the files."""
+    """Writes one PNG for each of D and inclination into the folder, or those that the case has. Returns the files."""
+    output = pathlib.Path(output)
     runs = {label: Observables(folder) for label, folder in run_folders(output).items()}
-    wanted = read_comparison(case) if case else {"value": [], "source": "reference"}
+    wanted = read_comparison(case) if case else {"value": [], "picture": [], "source": "reference"}
+    pictures = wanted["picture"] or [{"file": file, "name": name, "runs": list(runs)} for name, (file, _) in PLOTS.items()]
     files = []
-    for name, (file, label) in PLOTS.items():
-        figure, axes = new_axes(r"shear time  $\dot\gamma t$", label)
-        for k, (run, observables) in enumerate(runs.items()):
-            # The inclination of a sphere has no meaning: what is hardly deformed is left out.
-            drawn = observables["deformation"] > SMALLEST_DEFORMATION if name == "inclination_deg" else slice(None)
-            x, y = observables["shear_time"][drawn], observables[name][drawn]
-            axes.plot(x, y, color=COLOURS[k % len(COLOURS)], label=run)
-        # The reference of a mean is drawn at the end of its stretch of time.
-        points = sorted({(v.get("shear_time") or v["mean_over"][1], v["reference"]) for v in wanted["value"] if v["name"] == name})
-        if points:
-            axes.plot(*zip(*points), "o", color="black", markerfacecolor="white", markersize=7, label=wanted["source"], zorder=3)
-        axes.set_xlim(left=0)
-        axes.legend(frameon=False)
-        files.append(save(figure, pathlib.Path(output) / file))
+    for picture in pictures:
+        if picture["name"] not in PLOTS:
+            raise InputError(f"{case}/compare.toml: there is no picture of '{picture['name']}', only of {', '.join(PLOTS)}")
+        chosen = {run: runs[run] for run in picture["runs"] if run in runs}
+        values = [v for v in wanted["value"] if v.get("run") is None or not wanted["picture"] or v["run"] in chosen]
+        if chosen:
+            files.append(_plot_quantity(picture["name"], chosen, values, wanted["source"], output / picture["file"]))
     return files
 
 

@@ -15,6 +15,9 @@ A compare.toml has a title, a source (default "reference"), in a case of many ru
     [[change]]           the relative change of a value from one run to another
     name, shear_time or mean_over, from, to, band (also "below" or "above": smaller or larger than in the first run)
 
+    [[picture]]          a plot of some runs, in place of one of D and one of the inclination of all
+    file, name ("deformation" or "inclination_deg"), runs (in the order of the legend; those that are not there are left out)
+
     [[snapshot]]         a moment of a run, for one picture of all of them (see snapshots.py)
     run, shear_time, label, field (default "area_ratio")
 
@@ -48,6 +51,7 @@ ENTRIES = {
     "slope": (("table", "where", "x", "y", "reference"), ("name", "band", "relative")),
     "change": (("name", "from", "to"), ("shear_time", "mean_over", "band")),
     "snapshot": (("run", "shear_time", "label"), ("field",)),
+    "picture": (("file", "name", "runs"), ()),
 }
 SECTIONS = {
     "small_deformation": (
@@ -149,6 +153,7 @@ def read_comparison(case):
         value.setdefault("run", None)
         value.setdefault("band", None)
         value.setdefault("relative", True)
+    wanted.setdefault("picture", [])
     for change in wanted.setdefault("change", []):
         change.setdefault("band", None)
     return wanted

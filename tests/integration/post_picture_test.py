@@ -22,6 +22,23 @@ class Plots(InFolder):
         write_run(self.folder / "out/b")
         self.assertEqual([file.name for file in plot.plot_observables(self.folder / "out")], ["deformation.png", "inclination.png"])
 
+    def test_a_case_says_which_runs_are_drawn_together(self):
+        case, output = self.folder / "case", self.folder / "out"
+        case.mkdir()
+        comparison = 'title = "pictures"\n' + "".join(
+            f'[[picture]]\nfile = "{file}.png"\nname = "{name}"\nruns = {runs}\n'
+            for file, name, runs in (("both", "deformation", ["b", "a"]), ("late", "inclination_deg", ["c"]), ("one", "inclination_deg", ["a", "c"]))
+        )
+        (case / "compare.toml").write_text(comparison)
+        for run in ("a", "b"):
+            write_run(output / run)
+        with unittest.mock.patch.object(plot, "_plot_quantity", side_effect=plot._plot_quantity) as drawn:
+            files = plot.plot_observables(output, case)
+        self.assertEqual([file.name for file in files], ["both.png", "one.png"])
+        self.assertEqual([(call.args[0], list(call.args[1])) for call in drawn.call_args_list], [("deformation", ["b", "a"]), ("inclination_deg", ["a"])])
+        (case / "compare.toml").write_text(comparison.replace('"deformation"', '"length"'))
+        self.assert_refused("no picture of 'length'", plot.plot_observables, output, case)
+
     def test_a_snapshot_is_of_the_nearest_membrane_and_not_of_a_run_that_has_yet_to_get_there(self):
         case, output = self.folder / "case", self.folder / "out"
         case.mkdir()
