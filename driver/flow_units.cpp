@@ -7,12 +7,14 @@ namespace tanktread::driver {
 
 namespace {
 
-/// Nothing that walls alone drive is five times as fast as they are: the membrane then moves by itself, as where
-/// its springs are too stiff for the time step, and goes on without the flow ever reaching the first limit.
+/// A flow that walls or a pressure gradient drive is nowhere five times as fast as they make it: a membrane then
+/// moves by itself, as where its springs are too stiff for the time step, and may go on so without ever reaching
+/// the first limit. (So does, for once, a capsule that starts far from its shape at rest, at a small capillary
+/// number: that is for the case to say.)
 double preset_speed_limit(const FlowCase& flow, double wall_speed) {
   constexpr double of_the_lattice = 0.3, wall_speeds = 5;
-  const bool walls_alone = flow.kind != "periodic" && flow.body_force == std::array<double, 3>{};
-  return walls_alone ? std::min(of_the_lattice, wall_speeds * wall_speed) : of_the_lattice;
+  const bool nothing_else = flow.kind != "periodic" && flow.body_force == std::array<double, 3>{};
+  return nothing_else ? std::min(of_the_lattice, wall_speeds * wall_speed) : of_the_lattice;
 }
 
 }  // namespace

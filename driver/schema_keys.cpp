@@ -171,7 +171,7 @@ std::vector<Key> title_and_flow_keys() {
       key<InFlow<&F::inertia>>("flow.inertia", "", "false: no quadratic terms (Stokes flow)"),
       key<InFlow<&F::speed_limit>>("flow.speed_limit", "lattice", "a fluid that is as fast stops the run")
           .above(0)
-          .preset("0.3, or 5 wall speeds if that is less and there is no body_force"),
+          .preset("the less of 0.3 and 5 U0; 0.3 with body_force or in a periodic flow"),
       key<InFlow<&F::command>>("flow.command", "",
                                "a program in the place of the flow solver, and its arguments; []: none"),
   };

@@ -65,7 +65,7 @@ void advance(System& system, Passage& passage) {
   try {
     advance_phases(system, passage);
   } catch (const fluid::Breakdown& error) {
-    throw RunError(fmt::format("{} (flow.speed_limit)", error.what()));  // which says the step
+    throw RunError(error.what());  // which says the step
   } catch (const LongMove& error) {
     stop(error);
   } catch (const membrane::InvertedElement& error) {

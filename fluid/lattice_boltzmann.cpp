@@ -261,12 +261,12 @@ class LatticeBoltzmann final : public Fluid {
       if (speed < settings_.speed_limit) continue;
       message << "the fluid velocity at node (" << x << ", " << y << ", " << z << ") is (" << u[0] << ", "
               << u[1] << ", " << u[2] << "), density " << moments.density << "; "
-              << (std::isfinite(speed) ? "its speed is over the limit of "
-                                       : "it must be finite and its speed below ")
+              << (std::isfinite(speed) ? "its speed is over speed_limit, "
+                                       : "it must be finite and its speed below speed_limit, ")
               << settings_.speed_limit;
       throw Breakdown(message.str());
     }
-    message << "the fluid speed reached the limit of " << settings_.speed_limit << " in row y = " << y
+    message << "the fluid speed reached speed_limit, " << settings_.speed_limit << " in row y = " << y
             << ", z = " << z;
     throw Breakdown(message.str());
   }

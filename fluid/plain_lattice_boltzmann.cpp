@@ -83,7 +83,7 @@ class PlainLatticeBoltzmann final : public Fluid {
       if (!(speed < settings_.speed_limit)) {
         throw Breakdown("step " + std::to_string(step_ + 1) + ": the fluid speed at node (" +
                         std::to_string(x) + ", " + std::to_string(y) + ", " + std::to_string(z) + ") is " +
-                        std::to_string(speed) + ", must be finite and below " +
+                        std::to_string(speed) + ", must be finite and below speed_limit, " +
                         std::to_string(settings_.speed_limit));
       }
       highest = std::max(highest, speed);

@@ -138,7 +138,7 @@ double OutsideFluid::highest_speed() const {
                row = static_cast<std::int64_t>(node) / shape_.nx;
     throw fluid::Breakdown(
         fmt::format("step {}: the program of the {}: the velocity at node ({}, {}, {}) is ({}, "
-                    "{}, {}), density {}; both must be finite, and the speed below {}",
+                    "{}, {}), density {}; both must be finite, and the speed below flow.speed_limit, {}",
                     step_, program_.name(), x, row % shape_.ny, row / shape_.ny, u[0], u[1], u[2],
                     density[node], speed_limit_));
   }

@@ -112,9 +112,9 @@ def fit(stiffness, peak):
 
 
 def curves(readings):
-    """{series: readings} of the stable runs with a peak, of the scheme `fd` alone: with the others a kappa would count twice."""
+    """{series: readings} of the stable runs with a peak, of the scheme `fd` and N = 1 alone: with others a kappa would count twice."""
     return {
-        series: [r for r in readings if r.series == series and r.scheme == "fd" and not math.isnan(r.peak)]
+        series: [r for r in readings if r.series == series and (r.scheme, r.interval) == ("fd", 1) and not math.isnan(r.peak)]
         for series in sorted({r.series for r in readings})
     }
 

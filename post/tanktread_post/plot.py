@@ -74,15 +74,14 @@ def plot_observables(output, case=None):
     output = pathlib.Path(output)
     runs = {label: Observables(folder) for label, folder in run_folders(output).items()}
     wanted = read_comparison(case) if case else {"value": [], "picture": [], "source": "reference"}
-    pictures = wanted["picture"] or [{"file": file, "name": name, "runs": list(runs)} for name, (file, _) in PLOTS.items()]
+    pictures = [picture for picture in wanted["picture"] if set(picture["runs"]) & set(runs)]
+    if not pictures:
+        return [_plot_quantity(name, runs, wanted["value"], wanted["source"], output / file) for name, (file, _) in PLOTS.items()]
     files = []
     for picture in pictures:
-        if picture["name"] not in PLOTS:
-            raise InputError(f"{case}/compare.toml: there is no picture of '{picture['name']}', only of {', '.join(PLOTS)}")
         chosen = {run: runs[run] for run in picture["runs"] if run in runs}
-        values = [v for v in wanted["value"] if v.get("run") is None or not wanted["picture"] or v["run"] in chosen]
-        if chosen:
-            files.append(_plot_quantity(picture["name"], chosen, values, wanted["source"], output / picture["file"]))
+        values = [value for value in wanted["value"] if value["run"] in chosen]
+        files.append(_plot_quantity(picture["name"], chosen, values, wanted["source"], output / picture["file"]))
     return files
 
 

@@ -15,13 +15,14 @@ A compare.toml has a title, a source (default "reference"), in a case of many ru
     [[change]]           the relative change of a value from one run to another
     name, shear_time or mean_over, from, to, band (also "below" or "above": smaller or larger than in the first run)
 
-    [[picture]]          a plot of some runs, in place of one of D and one of the inclination of all
+    [[picture]]          a plot of some runs, in place of one of D and one of the inclination of all (which are drawn if none of its runs is there)
     file, name ("deformation" or "inclination_deg"), runs (in the order of the legend; those that are not there are left out)
 
     [[snapshot]]         a moment of a run, for one picture of all of them (see snapshots.py)
     run, shear_time, label, field (default "area_ratio")
 
-    [small_deformation], [first_peak]   what small_deformation.py and first_peak.py make their tables of: SECTIONS below
+    [small_deformation], [first_peak]   what small_deformation.py and first_peak.py make their tables of: SECTIONS below;
+                         also_from of [first_peak]: the least stiffness of a second fit, which is shown and not judged
 
 and, in a case whose tables study.toml lists (see study.py),
 
@@ -65,6 +66,22 @@ SECTIONS = {
 }  # fmt: skip
 
 
+PICTURED = ("deformation", "inclination_deg")  # the quantities that a [[picture]] may be of
+
+
+def _check_pictures(file, wanted):
+    """Refuses a picture of a run that the case has not, and pictures where others are drawn."""
+    runs = file.with_name("runs.csv")
+    known = {row["run"] for row in read_table(runs)} if runs.is_file() else None
+    for number, picture in enumerate(wanted.get("picture", []), 1):
+        place = f"{file}: [[picture]] number {number}"
+        if set(SECTIONS) & set(wanted):
+            raise InputError(f"{place}: a case with {' or '.join(f'[{name}]' for name in SECTIONS)} has pictures of its own; leave it out")
+        for run in picture["runs"]:
+            if known is not None and run not in known:
+                raise InputError(f"{place}: no run is called '{run}' in {runs}")
+
+
 def check_keys(place, table, keys):
     """Refuses a table that has not the keys it must have, or has others. `place` names it; `keys`: must, may."""
     must, may = keys
@@ -99,6 +116,8 @@ def _check_comparison(file, wanted):
             reads_a_run = name == "change" or (name == "value" and "table" not in entry)
             if reads_a_run and ("name" not in entry or ("shear_time" in entry) == ("mean_over" in entry)):
                 raise InputError(f"{place}: it must have `name` and one of `shear_time` and `mean_over`")
+            if name == "picture" and entry["name"] not in PICTURED:
+                raise InputError(f"{place}: there is no picture of '{entry['name']}', only of {', '.join(PICTURED)}")
             if name == "value" and "table" in entry and not ("where" in entry and "column" in entry):
                 raise InputError(f"{place}: a cell of a table must have `where` and `column`")
 
@@ -145,6 +164,7 @@ def read_comparison(case):
     file = pathlib.Path(case) / "compare.toml"
     wanted = read_toml(file)
     _check_comparison(file, wanted)
+    _check_pictures(file, wanted)
     wanted.setdefault("source", "reference")
     for value in wanted.setdefault("value", []) + wanted.setdefault("slope", []):
         # A cell of a table that is yet to be made is looked up when it is compared.

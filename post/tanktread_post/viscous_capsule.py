@@ -26,9 +26,10 @@ relaxation time theta), and as seen from the element, where the flow turns as ex
 
 A drop has a tension gamma in place of the elasticity. On the deformed sphere it makes the force f_r = -4 gamma w and nothing along the
 surface, with gamma = 1/Ca; the viscosities work as before on the surface velocity, i (w, v), in which v is not a displacement any more, for
-the surface of a drop strains for ever. The surface velocity also carries the shape along, but of that nothing is left in the shear plane, to
-first order in Ca: the square of E is isotropic there. So D/Ca and (45 degrees - inclination)/Ca are exact for Ca to 0. Without viscosity D is
-(35/32) Ca, that of Taylor (1932) for lambda = 1; the inclination falls by (35/32) Ca, that of Chaffey and Brenner (1967).
+the surface of a drop strains for ever. To second order in Ca at a given Bq that is all there is in the shear plane: the surface velocity also
+carries the shape along, and the viscous forces are those of a deformed surface, but both are of second degree in E, whose square
+makes the axes of the shear plane longer or shorter alike. So D/Ca and (pi/4 - inclination)/Ca are exact for Ca to 0. Without viscosity both are
+35/32: Taylor (1932) and Chaffey and Brenner (1967) for lambda = 1.
 
 An immersed boundary spreads the force over a few grid steps and takes the velocity from as many. There the tangential velocity has a
 kink of f_t, and the mean over it is short by loss f_t, loss = C dx/a with the C of docs/kernels.md: so much less is the tangential
@@ -72,11 +73,11 @@ def steady_state(capillary_number, boussinesq_shear=0.0, boussinesq_dilatational
     return _shape(w)
 
 
-def drop_steady_state(capillary_number, boussinesq_shear=0.0, boussinesq_dilatational=0.0, loss=0.0):
-    """(D, inclination in degrees) of a drop. Capillary number by the interfacial tension; both errors are of third order in it."""
+def drop_steady_state(capillary_number, boussinesq_shear=0.0, boussinesq_dilatational=0.0):
+    """(D, inclination in degrees) of a drop. Capillary number by the interfacial tension; at a given Bq both errors are of third order in it."""
     tension = numpy.array([[-4 / capillary_number, 0], [0, 0]])
     force = tension + _force(1j * boussinesq_shear, 1j * boussinesq_dilatational)
-    w, _ = numpy.linalg.solve(1j * numpy.eye(2) - _response(force, loss), FLOW)
+    w, _ = numpy.linalg.solve(1j * numpy.eye(2) - _response(force, 0), FLOW)
     return _shape(w)
 
 

@@ -35,7 +35,7 @@ TEST_F(BrokenRun, BreakdownStopsWithTheLastGoodState) {
   const auto ended = run_program(run_to("out", {"--set", "flow.speed_limit=0.015"}));
   EXPECT_EQ(ended.exit_code, 3) << ended.output;
   EXPECT_THAT(ended.output,
-              AllOf(HasSubstr("step "), HasSubstr("velocity at node ("), HasSubstr("limit of 0.015"),
+              AllOf(HasSubstr("step "), HasSubstr("velocity at node ("), HasSubstr("speed_limit, 0.015"),
                     HasSubstr("last good state: "), HasSubstr("checkpoints/step_")));
 }
 

@@ -90,7 +90,7 @@ class Failures(FluidTest):
     CASES = {
         "die": "it ended with exit code 7 and gave no answer",
         "nan": "the velocity at node (1, 2, 3) is (nan, ",
-        "fast": "both must be finite, and the speed below 0.1 (flow.speed_limit)",
+        "fast": "both must be finite, and the speed below flow.speed_limit, 0.1",
         "no-density": "the array 'density' is missing; expected point data 'density' of 13824 x 1 numbers (Float64); there are: velocity",
         "plane": "'velocity' has 2 components; expected point data 'velocity' of 13824 x 3 numbers (Float64)",
         "float32": "array 'velocity' is of single precision (Float32)",

@@ -115,10 +115,11 @@ class FirstPeak(InFolder):
         write_run(self.folder / "run", viscous={"scheme": "fd", "boussinesq_shear": 10.0, "spring_relaxation_time": 0.1})
         self.assert_refused("spring_stiffness is not given", first_peak.read_runs, self.folder)
 
-    def test_a_run_of_another_scheme_is_no_point_of_the_fit(self):
+    def test_a_run_of_another_scheme_or_interval_is_no_point_of_the_fit(self):
         self.written(0.35)
         before = first_peak.fits(first_peak.read_runs(self.folder))
         write_peak(self.folder / "k10-int1", 10.0, 0.9, scheme="int1")
+        write_peak(self.folder / "k10-n5", 10.0, 0.9, interval=5)
         self.assertEqual(first_peak.fits(first_peak.read_runs(self.folder)), before)
 
     def test_corrected_runs_are_a_curve_of_their_own(self):

@@ -8,7 +8,7 @@ import matplotlib.image
 import numpy
 from post_fixture import ROOT, InFolder, write_pictures, write_run, write_series
 
-from tanktread_post import case_results, plot
+from tanktread_post import case_results, plot, reference
 
 
 class Plots(InFolder):
@@ -25,7 +25,8 @@ class Plots(InFolder):
     def test_a_case_says_which_runs_are_drawn_together(self):
         case, output = self.folder / "case", self.folder / "out"
         case.mkdir()
-        comparison = 'title = "pictures"\n' + "".join(
+        values = "".join(f'[[value]]\nrun = "{run}"\nname = "deformation"\nshear_time = {time}\nreference = 0.1\n' for run, time in (("b", 1.0), ("c", 2.0)))
+        comparison = 'title = "pictures"\n' + values + "".join(
             f'[[picture]]\nfile = "{file}.png"\nname = "{name}"\nruns = {runs}\n'
             for file, name, runs in (("both", "deformation", ["b", "a"]), ("late", "inclination_deg", ["c"]), ("one", "inclination_deg", ["a", "c"]))
         )
@@ -36,8 +37,23 @@ class Plots(InFolder):
             files = plot.plot_observables(output, case)
         self.assertEqual([file.name for file in files], ["both.png", "one.png"])
         self.assertEqual([(call.args[0], list(call.args[1])) for call in drawn.call_args_list], [("deformation", ["b", "a"]), ("inclination_deg", ["a"])])
-        (case / "compare.toml").write_text(comparison.replace('"deformation"', '"length"'))
-        self.assert_refused("no picture of 'length'", plot.plot_observables, output, case)
+        self.assertEqual([[value["run"] for value in call.args[2]] for call in drawn.call_args_list], [["b"], []])
+        write_run(self.folder / "others/d")
+        self.assertEqual([file.name for file in plot.plot_observables(self.folder / "others", case)], ["deformation.png", "inclination.png"])
+
+    def test_a_picture_that_cannot_be_is_refused_before_a_run(self):
+        case = self.folder / "case"
+        case.mkdir()
+        picture = 'title = "pictures"\n[[picture]]\nfile = "a.png"\nname = "{}"\nruns = ["a", "b"]\n'
+        first_peak = '[first_peak]\nfit = "fit.csv"\nstability = "stability.csv"\nstability_spring = 1.0\nband = 0.1\n'
+        for text, words in (
+            (picture.format("length"), "no picture of 'length', only of deformation, inclination_deg"),
+            (picture.format("deformation"), "no run is called 'b'"),
+            (picture.format("deformation") + first_peak, "has pictures of its own"),
+        ):
+            (case / "runs.csv").write_text("run,groups\na,all\n")
+            (case / "compare.toml").write_text(text)
+            self.assert_refused(words, reference.read_comparison, case)
 
     def test_a_snapshot_is_of_the_nearest_membrane_and_not_of_a_run_that_has_yet_to_get_there(self):
         case, output = self.folder / "case", self.folder / "out"

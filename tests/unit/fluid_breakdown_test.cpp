@@ -58,7 +58,7 @@ TEST(FluidBreakdown, names_the_node_step_and_limit_of_a_speed_too_high) {
       fluid->step();
       fluid->add_force(std::vector{fluid->shape().index(x, 1, 3)}, Numbers{0, 0, 0.7});  // speed 0.35
       EXPECT_THAT(breakdown_of(*fluid), AllOf(HasSubstr("step 2:"), HasSubstr("node " + name(x, 1, 3)),
-                                              HasSubstr("0.35"), HasSubstr("limit of 0.3")));
+                                              HasSubstr("0.35"), HasSubstr("speed_limit, 0.3")));
     }
   }
 }
