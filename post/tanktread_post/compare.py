@@ -116,7 +116,7 @@ def _change_row(output, change):
     if None in directories:
         return None, label
     first, second = (_read(directory, change) for directory in directories)
-    return table_row(label, _when(change), second, first, True, change["band"]), label
+    return table_row(label, _when(change), second, first * (1 + change["reference"]), True, change["band"]), label
 
 
 def _holds_results(output):

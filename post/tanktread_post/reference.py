@@ -13,7 +13,8 @@ A compare.toml has a title, a source (default "reference"), in a case of many ru
     relative = true      whether the band is a share of the reference (default), or in the quantity's unit
 
     [[change]]           the relative change of a value from one run to another
-    name, shear_time or mean_over, from, to, band (also "below" or "above": smaller or larger than in the first run)
+    name, shear_time or mean_over, from, to, band (also "below" or "above": smaller or larger than in the first run),
+    reference = 0.1      the relative change there should be, in the forms of a value's; default 0
 
     [[picture]]          a plot of some runs, in place of one of D and one of the inclination of all (which are drawn if none of its runs is there)
     file, name ("deformation" or "inclination_deg"), runs (in the order of the legend; those that are not there are left out)
@@ -50,7 +51,7 @@ MAIN = (("title",), ("source", "read_at", "means_over"))
 ENTRIES = {
     "value": (("reference",), ("run", "name", "shear_time", "mean_over", "table", "where", "column", "band", "relative")),
     "slope": (("table", "where", "x", "y", "reference"), ("name", "band", "relative")),
-    "change": (("name", "from", "to"), ("shear_time", "mean_over", "band")),
+    "change": (("name", "from", "to"), ("shear_time", "mean_over", "band", "reference")),
     "snapshot": (("run", "shear_time", "label"), ("field",)),
     "picture": (("file", "name", "runs"), ()),
 }
@@ -175,5 +176,6 @@ def read_comparison(case):
         value.setdefault("relative", True)
     wanted.setdefault("picture", [])
     for change in wanted.setdefault("change", []):
+        change["reference"] = look_up(case, change.get("reference", 0.0))
         change.setdefault("band", None)
     return wanted

@@ -73,11 +73,12 @@ def steady_state(capillary_number, boussinesq_shear=0.0, boussinesq_dilatational
     return _shape(w)
 
 
-def drop_steady_state(capillary_number, boussinesq_shear=0.0, boussinesq_dilatational=0.0):
-    """(D, inclination in degrees) of a drop. Capillary number by the interfacial tension; at a given Bq both errors are of third order in it."""
+def drop_steady_state(capillary_number, boussinesq_shear=0.0, boussinesq_dilatational=0.0, loss=0.0):
+    """(D, inclination in degrees) of a drop. Capillary number by the interfacial tension; at a given Bq both errors are of third order in it.
+    loss as of steady_state."""
     tension = numpy.array([[-4 / capillary_number, 0], [0, 0]])
     force = tension + _force(1j * boussinesq_shear, 1j * boussinesq_dilatational)
-    w, _ = numpy.linalg.solve(1j * numpy.eye(2) - _response(force, 0), FLOW)
+    w, _ = numpy.linalg.solve(1j * numpy.eye(2) - _response(force, loss), FLOW)
     return _shape(w)
 
 

@@ -102,6 +102,15 @@ class Drop(unittest.TestCase):
         self.assertAlmostEqual(deformation, 5 / 4, delta=1e-6)
         self.assertAlmostEqual(angle, 55 / 48, delta=1e-6)
 
+    # A surface that cannot shear stands still in the limit of small Ca, by the forces that make nothing of the flow (i/2)(1, 1/2) with the
+    # mobility [[4, 6], [1, 5 - 35 loss]]/35: f_t = -(5/4) i/(1 - 10 loss) and f_r = -(35/4) i - (5 - 35 loss) f_t. Without dilatational
+    # viscosity f_r is that of the tension alone, -4 w/Ca. A clean drop does not push along itself. Bq_s as Bq_d above.
+    def test_loss_is_of_the_force_along_the_surface(self):
+        for loss in (0.0, 0.02, 0.05):
+            deformation, _ = drop_steady_state(self.CA, boussinesq_shear=1e7, loss=loss)
+            self.assertAlmostEqual(deformation / self.CA, (35 - 5 * (5 - 35 * loss) / (1 - 10 * loss)) / 16, delta=1e-6)
+            self.assertEqual(drop_steady_state(self.CA, loss=loss), drop_steady_state(self.CA))
+
     def test_the_reference_of_the_case_is_this_theory(self):
         lines = (ROOT / "cases/small-deformation-viscous/reference/drop.csv").read_text().splitlines()
         rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
