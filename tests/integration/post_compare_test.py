@@ -140,7 +140,7 @@ class Comparing(InFolder):
         self.assertIn("not run yet: c: deformation", text)
         self.assertEqual(self.compare('title = ""\n' + change.format(to="d"))[0], 1)
         expected = change.replace("band", "reference = {reference}\nband")
-        for reference, code in ((0.4013 / 0.4 - 1, 0), (0.4013 / 0.4 + 0.003, 1)):
+        for reference, code in ((0.4013 / 0.4 - 1, 0), (0.4013 / 0.4 - 0.996, 1)):
             self.assertEqual(self.compare('title = ""\n' + expected.format(to="d", reference=reference))[0], code)
         code, text = self.compare('title = ""\n' + value)
         self.assertEqual(code, 0)
