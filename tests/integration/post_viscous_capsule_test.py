@@ -118,6 +118,7 @@ class Drop(unittest.TestCase):
         for row in rows:
             deformation, inclination = drop_steady_state(0.05, float(row["bq_s"]), float(row["bq_d"]))
             self.assertAlmostEqual(deformation, float(row["deformation"]), delta=1e-6)
+            self.assertAlmostEqual(deformation / drop_steady_state(0.05)[0] - 1, float(row["deformation_change"]), delta=1e-5)
             self.assertAlmostEqual(inclination, float(row["inclination_deg"]), delta=1e-4)
 
 
