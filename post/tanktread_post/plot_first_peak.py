@@ -39,12 +39,13 @@ def plot_stability(output, case, readings):
     figure, axes = new_axes("steps between updates  $N$", r"$N k_s'$  (lattice units)")
     axes.set_xscale("log")
     axes.set_yscale("log")
-    for colour, number in zip(COLOURS, sorted({r.boussinesq_shear for r in readings})):
+    for place, (colour, number) in enumerate(zip(COLOURS, sorted({r.boussinesq_shear for r in readings}))):
         for broken, marker in ((False, "s"), (True, "x")):
             chosen = [r for r in readings if r.boussinesq_shear == number and r.broke_down == broken]
             if chosen:
                 label = f"$Bq_s$ = {number:g}, {'breaks down' if broken else 'stable'}"
-                axes.plot([r.interval for r in chosen], [r.interval_times_spring for r in chosen], marker, color=colour, label=label)
+                beside = [r.interval * 1.05**place for r in chosen]  # so that points of one N and N k_s' do not hide each other
+                axes.plot(beside, [r.interval_times_spring for r in chosen], marker, color=colour, label=label)
     points = first_peak.published_stability(case, read_comparison(case)["first_peak"])
     for outcome, marker in (("stable", "s"), ("breaks down", "x")):
         chosen = [(n, product) for _, n, _, product, said in points if said == outcome]
