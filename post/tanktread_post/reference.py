@@ -107,6 +107,9 @@ def read_toml(file):
 
 def _check_comparison(file, wanted):
     check_keys(file, wanted, (MAIN[0], MAIN[1] + tuple(ENTRIES) + tuple(SECTIONS)))
+    stretch = wanted.get("means_over", [0, 1])
+    if not (isinstance(stretch, list) and len(stretch) == 2 and all(isinstance(t, (int, float)) for t in stretch) and stretch[0] < stretch[1]):
+        raise InputError(f"{file}: means_over = {stretch}, must be two shear times, the first before the second, as [15, 30]")
     for name, keys in SECTIONS.items():
         if name in wanted:
             check_keys(f"{file}: [{name}]", wanted[name], keys)

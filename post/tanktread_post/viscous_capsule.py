@@ -64,22 +64,25 @@ def _shape(w):
     return abs(w), math.degrees(cmath.phase(w)) / 2
 
 
+def _steady(force, loss):
+    """(D, inclination in degrees) of what answers a displacement (w, v) exp(i t) with a force that is a matrix times it."""
+    w, _ = numpy.linalg.solve(1j * numpy.eye(2) - _response(force, loss), FLOW)
+    return _shape(w)
+
+
 def steady_state(capillary_number, boussinesq_shear=0.0, boussinesq_dilatational=0.0, area_modulus=3.0, loss=0.0):
     """(D, inclination in degrees). Capillary number by G_s; area_modulus = K_s/G_s (3: Skalak with C = 1, neo-Hookean); loss of
     tangential mobility to an immersed boundary."""
     shear = 1 / capillary_number + 1j * boussinesq_shear
     area = area_modulus / capillary_number + 1j * boussinesq_dilatational
-    w, _ = numpy.linalg.solve(1j * numpy.eye(2) - _response(_force(shear, area), loss), FLOW)
-    return _shape(w)
+    return _steady(_force(shear, area), loss)
 
 
 def drop_steady_state(capillary_number, boussinesq_shear=0.0, boussinesq_dilatational=0.0, loss=0.0):
     """(D, inclination in degrees) of a drop. Capillary number by the interfacial tension; at a given Bq both errors are of third order in it.
     loss as of steady_state."""
     tension = numpy.array([[-4 / capillary_number, 0], [0, 0]])
-    force = tension + _force(1j * boussinesq_shear, 1j * boussinesq_dilatational)
-    w, _ = numpy.linalg.solve(1j * numpy.eye(2) - _response(force, loss), FLOW)
-    return _shape(w)
+    return _steady(tension + _force(1j * boussinesq_shear, 1j * boussinesq_dilatational), loss)
 
 
 def start_up(shear_time, capillary_number, boussinesq_shear, spring_relaxation_time, area_modulus=3.0, loss=0.0):

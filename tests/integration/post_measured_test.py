@@ -89,6 +89,11 @@ class Measured(InFolder):
         self.assertEqual((row["from"], row["to"], row["deformation"], row["volume_ratio"]), ("2", "4", "0.2625", "0.99"))
         self.assertEqual((row["highest_deformation"], row["highest_at"]), ("0.5", "1"))
 
+    def test_a_stretch_that_is_none_is_refused(self):
+        for stretch in ("[30, 15]", "[15]", '["a", "b"]', "15"):
+            (self.folder / "compare.toml").write_text(f'title = ""\nmeans_over = {stretch}\n')
+            self.assert_refused(["means_over", "as [15, 30]"], reference.read_comparison, self.folder)
+
     def test_refuses_a_run_of_which_nothing_is_read(self):
         with self.assertRaisesRegex(measured.InputError, "before the first shear time of read_at"):
             self.add("a", 0.04, times=())

@@ -41,6 +41,9 @@ class Plots(InFolder):
         write_run(self.folder / "others/d")
         self.assertEqual([file.name for file in plot.plot_observables(self.folder / "others", case)], ["deformation.png", "inclination.png"])
 
+    def test_every_quantity_of_a_plot_may_be_pictured(self):
+        self.assertEqual(tuple(plot.PLOTS), reference.PICTURED)
+
     def test_a_picture_that_cannot_be_is_refused_before_a_run(self):
         case = self.folder / "case"
         case.mkdir()

@@ -1,6 +1,5 @@
 """Tests of the theory of a viscous capsule or drop at small deformation."""
 
-import csv
 import math
 import unittest
 
@@ -27,8 +26,7 @@ class SteadyState(InFolder):
         self.assertAlmostEqual(inclination, 0, delta=1e-3)
 
     def test_the_reference_of_the_case_is_this_theory(self):
-        lines = (ROOT / "cases/small-deformation-viscous/reference/theory.csv").read_text().splitlines()
-        rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+        rows = reference.read_table(ROOT / "cases/small-deformation-viscous/reference/theory.csv")
         self.assertEqual(len(rows), 5)
         for row in rows:
             deformation, inclination = steady_state(0.02, float(row["bq_s"]), float(row["bq_d"]))
@@ -36,8 +34,7 @@ class SteadyState(InFolder):
             self.assertAlmostEqual(inclination, float(row["inclination_deg"]), delta=1e-4)
 
     def test_the_reference_of_the_start_is_this_theory(self):
-        lines = (ROOT / "cases/small-deformation-viscous/reference/start_up.csv").read_text().splitlines()
-        rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+        rows = reference.read_table(ROOT / "cases/small-deformation-viscous/reference/start_up.csv")
         self.assertEqual(len(rows), 1)
         for row in rows:
             deformation, inclination = start_up(float(row["shear_time"]), 0.02, float(row["bq_s"]), float(row["tau_s_g"]))
@@ -112,8 +109,7 @@ class Drop(unittest.TestCase):
             self.assertEqual(drop_steady_state(self.CA, loss=loss), drop_steady_state(self.CA))
 
     def test_the_reference_of_the_case_is_this_theory(self):
-        lines = (ROOT / "cases/small-deformation-viscous/reference/drop.csv").read_text().splitlines()
-        rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+        rows = reference.read_table(ROOT / "cases/small-deformation-viscous/reference/drop.csv")
         self.assertEqual(len(rows), 3)
         for row in rows:
             deformation, inclination = drop_steady_state(0.05, float(row["bq_s"]), float(row["bq_d"]))
