@@ -108,6 +108,11 @@ TEST(TangentialCorrection, RefusesArraysThatDoNotFit) {
   Coupler other(box, kernels().back(), 1);
   build(other, {surface.nodes});
   EXPECT_THROW(correction.add(other, {&normals, 1}, {&force, 1}, {&target, 1}), std::invalid_argument);
+  Kernel same_name = kernels().back();  // a kernel is its function, not its name
+  same_name.name = kernels().front().name;
+  Coupler disguised(box, same_name, 1);
+  build(disguised, {surface.nodes});
+  EXPECT_THROW(correction.add(disguised, {&normals, 1}, {&force, 1}, {&target, 1}), std::invalid_argument);
 }
 
 TEST(TangentialCorrection, NamesTheNodeWithoutANormalOrAForceAndAddsNothing) {
