@@ -1,28 +1,28 @@
-"""What a case makes of its results: which pictures are drawn and which tables are printed, by its compare.toml and study.toml."""
+"""What a case makes of its results: which pictures are drawn and which tables are printed, by its compare.toml, study.toml and analyse.py."""
 
 import pathlib
 
-from . import compare, first_peak, series, small_deformation
+from . import case_analysis, compare, series
 from .reference import read_comparison
 from .run_folder import is_run
+from .table import print_tables
 
 COMPARED = ("value", "slope", "change")
 
 
 def draw(output, case=None):
     """Draws the plots of a folder of results into it. Returns the files. Without a case: those of any run."""
-    from . import plot, plot_first_peak, plot_study  # matplotlib is slow to load
+    from . import plot, plot_study  # matplotlib is slow to load
 
     if case is None:
         return plot.plot_observables(output)
+    analysis = case_analysis.load(case)
+    files = [] if analysis is None else analysis.pictures(output, case)
     if (pathlib.Path(case) / "study.toml").is_file():
-        return plot_study.plot_tables(output, case)
-    wanted = read_comparison(case)
-    if "small_deformation" in wanted:
-        return plot.plot_small_deformation(output, case)
-    if "first_peak" in wanted:
-        return plot_first_peak.plot_first_peak(output, case)
-    return plot.plot_observables(output, case)
+        files += plot_study.plot_tables(output, case)
+    elif analysis is None or read_comparison(case)["picture"]:
+        files += plot.plot_observables(output, case)
+    return files
 
 
 def reached_snapshots(output, case):
@@ -39,9 +39,8 @@ def reached_snapshots(output, case):
 
 def judge(output, case):
     """Prints the tables of a case; 1 if anything lies outside its band, else 0."""
-    wanted = read_comparison(case)
-    judges = [small_deformation.compare] if "small_deformation" in wanted else []
-    judges += [first_peak.compare] if "first_peak" in wanted else []
-    if any(wanted[name] for name in COMPARED) or not judges:
-        judges.append(compare.compare)
-    return max([one(output, case) for one in judges])
+    analysis, wanted = case_analysis.load(case), read_comparison(case)
+    code = 0 if analysis is None else print_tables(analysis.tables(output, case))
+    if analysis is None or any(wanted[name] for name in COMPARED):
+        code = max(code, compare.compare(output, case))
+    return code

@@ -1,4 +1,4 @@
-"""A table ours / reference / difference, and whether every value lies in its band."""
+"""The tables of compare.toml: ours / reference / difference, and whether every value lies in its band."""
 
 import pathlib
 
@@ -6,51 +6,9 @@ from . import study
 from .observables import InputError, Observables
 from .reference import read_comparison
 from .run_folder import is_run
+from .table import Table, table_row
 
-SIDES = ("below", "above")
 HEADER = ("quantity", "at", "ours", "reference", "difference", "band", "")
-
-
-def difference(ours, reference, relative):
-    """The difference as a band counts it: a share of the reference, or in the quantity's own unit."""
-    return (ours - reference) / abs(reference) if relative else ours - reference
-
-
-def shown(amount, relative, sign="+"):
-    """A difference or a band as text."""
-    return format(100 * amount, f"{sign}.2f") + " %" if relative else format(amount, f"{sign}.4f")
-
-
-def verdict(amount, band):
-    """True inside the band, False outside, None where nothing is judged. NaN is outside."""
-    if band is None:
-        return None
-    if band in SIDES:
-        return amount < 0 if band == "below" else amount > 0
-    return abs(amount) <= band
-
-
-def number(value):
-    """A number as text; a small one with its digits, not with zeros."""
-    return f"{value:.6f}" if value == 0 or abs(value) >= 1e-2 else f"{value:.4g}"
-
-
-def table_row(label, at, ours, reference, relative, band):
-    """One row of text, and its verdict; `at` says where it was read."""
-    amount = difference(ours, reference, relative)
-    inside = verdict(amount, band)
-    allowed = "" if band is None else band if band in SIDES else shown(band, relative, "")
-    word = {True: "inside", False: "OUTSIDE", None: "shown only"}[inside]
-    return (label, at, number(ours), number(reference), shown(amount, relative), allowed, word), inside
-
-
-def print_rows(title, header, rows):
-    """Prints a table with columns as wide as they need to be: text to the left, numbers to the right."""
-    widths = [max(len(row[k]) for row in [header, *rows]) for k in range(len(header))]
-    print(f"\n{title}")
-    for row in [header, *rows]:
-        cells = [row[k].ljust(widths[k]) if k in (0, len(row) - 1) else row[k].rjust(widths[k]) for k in range(len(row))]
-        print("  ".join(cells).rstrip())
 
 
 def _end(entry):
@@ -144,7 +102,7 @@ def compare(output, case):
         raise InputError(f"{output}: none of the runs or tables of {case} is there")
     if rows:
         header = tuple(wanted["source"] if name == "reference" else name for name in HEADER)
-        print_rows(wanted["title"], header, rows)
+        Table(wanted["title"], header, rows).print()
     if absent:
         print("not run yet: " + ", ".join(absent))
     if all(inside is None for inside in verdicts):

@@ -10,7 +10,6 @@ import pathlib
 import shutil
 import subprocess
 
-from . import first_peak
 from .observables import InputError, Observables
 from .run_folder import is_finished, read_cost, read_echo, read_parameters
 
@@ -130,12 +129,11 @@ def add_means(case, directory, run, stretch, command):
     return file
 
 
-def add_readings(case, readings, command):
-    """Writes the readings of first_peak.py to measured/first_peak.csv, runs that broke down among them. Returns the file."""
-    file = pathlib.Path(case) / "measured" / "first_peak.csv"
+def add_own(case, name, text, command):
+    """Writes a table of the case's own analysis to measured/, under a line that says how it was made. Returns the file."""
+    file = pathlib.Path(case) / "measured" / name
     file.parent.mkdir(exist_ok=True)
-    first_peak.write_readings(readings, file)
-    file.write_text(f"# {datetime.date.today().isoformat()}: {command}\n" + file.read_text())
+    file.write_text(f"# {datetime.date.today().isoformat()}: {command}\n" + text)
     return file
 
 

@@ -1,14 +1,12 @@
-"""PNG plots: observables against shear time with the reference drawn in, and errors against the resolution."""
+"""PNG plots: observables against shear time with the reference drawn in; and the form that all plots have."""
 
 import pathlib
 
 import matplotlib
-import numpy
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402  (the backend must be chosen first)
 
-from . import small_deformation  # noqa: E402
 from .observables import InputError, Observables  # noqa: E402
 from .reference import read_comparison  # noqa: E402
 from .run_folder import is_run  # noqa: E402
@@ -83,30 +81,3 @@ def plot_observables(output, case=None):
         values = [value for value in wanted["value"] if value["run"] in chosen]
         files.append(_plot_quantity(picture["name"], chosen, values, wanted["source"], output / picture["file"]))
     return files
-
-
-def plot_small_deformation(output, case):
-    """Writes errors.png: D over that of the theory, less one, against 1/a, a line a kernel. Returns the files.
-
-    With no finished run of the kernel series there is nothing to draw, and no file.
-    """
-    settings = read_comparison(case)["small_deformation"]
-    series = small_deformation.Series(small_deformation.read_runs(output, settings["shear_time"]), settings)
-    ratios_of = {kernel: series.kernel_ratios(kernel) for kernel in settings["kernels"]}
-    if not any(ratios_of.values()):
-        return []
-    figure, axes = new_axes(r"grid steps a radius, inverse  $1/a$", "error of $D$ against the theory  (%)")
-    for colour, (kernel, ratios) in zip(COLOURS, ratios_of.items()):
-        if not ratios:
-            continue
-        x, y = [1.0 / radius for radius in ratios], [100 * (ratio - 1) for ratio in ratios.values()]
-        axes.plot(x, y, "o", color=colour, label=kernel)
-        fine = [k for k, radius in enumerate(ratios) if radius >= settings["least_radius"]]
-        if len(fine) > 1:
-            line = numpy.polynomial.Polynomial.fit([x[k] for k in fine], [y[k] for k in fine], 1)
-            ends = numpy.array([0, max(x)])
-            axes.plot(ends, line(ends), color=colour, linewidth=1, alpha=0.6)
-    axes.axhline(0, color="black", linewidth=0.8)
-    axes.set_xlim(left=0)
-    axes.legend(frameon=False, title=f"$Ca_G$ = {settings['kernel_capillary_number']:g}, box {settings['box_in_radii']:g} $a$")
-    return [save(figure, pathlib.Path(output) / "errors.png")]

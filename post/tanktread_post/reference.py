@@ -22,8 +22,7 @@ A compare.toml has a title, a source (default "reference"), in a case of many ru
     [[snapshot]]         a moment of a run, for one picture of all of them (see snapshots.py)
     run, shear_time, label, field (default "area_ratio")
 
-    [small_deformation], [first_peak]   what small_deformation.py and first_peak.py make their tables of: SECTIONS below;
-                         also_from of [first_peak]: the least stiffness of a second fit, which is shown and not judged
+    [analyse]            what the case's own analyse.py wants to know (see case_analysis.py), which checks its keys
 
 and, in a case whose tables study.toml lists (see study.py),
 
@@ -55,29 +54,16 @@ ENTRIES = {
     "snapshot": (("run", "shear_time", "label"), ("field",)),
     "picture": (("file", "name", "runs"), ()),
 }
-SECTIONS = {
-    "small_deformation": (
-        (
-            "shear_time", "band", "laws", "kernel", "slope_kernels", "judged_kernel", "kernels", "kernel_law", "kernel_capillary_number",
-            "box_in_radii", "least_radius", "box_radius",
-        ),
-        (),
-    ),
-    "first_peak": (("fit", "stability", "stability_spring", "band"), ("also_from",)),
-}  # fmt: skip
-
-
+ANALYSE = "analyse.py"  # of a case folder: its own tables and pictures
 PICTURED = ("deformation", "inclination_deg")  # the quantities that a [[picture]] may be of
 
 
 def _check_pictures(file, wanted):
-    """Refuses a picture of a run that the case has not, and pictures where others are drawn."""
+    """Refuses a picture of a run that the case has not."""
     runs = file.with_name("runs.csv")
     known = {row["run"] for row in read_table(runs)} if runs.is_file() else None
     for number, picture in enumerate(wanted.get("picture", []), 1):
         place = f"{file}: [[picture]] number {number}"
-        if set(SECTIONS) & set(wanted):
-            raise InputError(f"{place}: a case with {' or '.join(f'[{name}]' for name in SECTIONS)} has pictures of its own; leave it out")
         for run in picture["runs"]:
             if known is not None and run not in known:
                 raise InputError(f"{place}: no run is called '{run}' in {runs}")
@@ -85,6 +71,8 @@ def _check_pictures(file, wanted):
 
 def check_keys(place, table, keys):
     """Refuses a table that has not the keys it must have, or has others. `place` names it; `keys`: must, may."""
+    if not isinstance(table, dict):
+        raise InputError(f"{place}: it must be a table of keys, not {table!r}")
     must, may = keys
     for name in must:
         if name not in table:
@@ -106,13 +94,12 @@ def read_toml(file):
 
 
 def _check_comparison(file, wanted):
-    check_keys(file, wanted, (MAIN[0], MAIN[1] + tuple(ENTRIES) + tuple(SECTIONS)))
+    check_keys(file, wanted, (MAIN[0], MAIN[1] + tuple(ENTRIES) + ("analyse",)))
+    if "analyse" in wanted and not file.with_name(ANALYSE).is_file():
+        raise InputError(f"{file}: [analyse] is for {file.with_name(ANALYSE)}, and there is no such file")
     stretch = wanted.get("means_over", [0, 1])
     if not (isinstance(stretch, list) and len(stretch) == 2 and all(isinstance(t, (int, float)) for t in stretch) and stretch[0] < stretch[1]):
         raise InputError(f"{file}: means_over = {stretch}, must be two shear times, the first before the second, as [15, 30]")
-    for name, keys in SECTIONS.items():
-        if name in wanted:
-            check_keys(f"{file}: [{name}]", wanted[name], keys)
     for name, keys in ENTRIES.items():
         for number, entry in enumerate(wanted.get(name, []), 1):
             place = f"{file}: [[{name}]] number {number}"
@@ -170,6 +157,7 @@ def read_comparison(case):
     _check_comparison(file, wanted)
     _check_pictures(file, wanted)
     wanted.setdefault("source", "reference")
+    wanted.setdefault("analyse", {})
     for value in wanted.setdefault("value", []) + wanted.setdefault("slope", []):
         # A cell of a table that is yet to be made is looked up when it is compared.
         if not (isinstance(value["reference"], dict) and "table" in value["reference"]):

@@ -8,7 +8,7 @@ import subprocess
 import sys
 import unittest
 
-import post_first_peak_test
+import cases_spring_and_interval_test
 from post_fixture import ROOT, InFolder, write_run
 
 # A tanktread that appends its arguments to `calls`, writes a finished run (if all goes well), and ends with FAKE_EXIT.
@@ -31,9 +31,9 @@ if code == 0:
     post_fixture.write_run(place, deformation=0.4, inclination=24.0, shear_time=4.2)
     post_fixture.write_pictures(place) if not (place / "membrane").exists() else None
 if "FAKE_BREAKDOWN" in os.environ:
-    import post_first_peak_test
-    post_first_peak_test.write_peak(place, 100.0, 0.4)
-    print(post_first_peak_test.BROKEN, flush=True)
+    import cases_spring_and_interval_test
+    cases_spring_and_interval_test.write_peak(place, 100.0, 0.4)
+    print(cases_spring_and_interval_test.BROKEN, flush=True)
     sys.exit(3)
 if "FAKE_WAIT" in os.environ:
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
@@ -157,9 +157,7 @@ class RunBuilt(InFolder):
         self.assertEqual(len(self.run_it("many", FAKE_BREAKDOWN="1")[2]), 1, "elsewhere the first one ends it")
         shutil.rmtree(self.folder / "output")
         case = self.folder / "cases/many"
-        (case / "compare.toml").write_text(post_first_peak_test.COMPARE)
-        (case / "fit.csv").write_text(post_first_peak_test.FIT)
-        (case / "stability.csv").write_text("bq_s,N,kappa,outcome\n")
+        cases_spring_and_interval_test.write_case(case)
         code, output, calls = self.run_it("many", FAKE_BREAKDOWN="1")
         self.assertEqual((code, len(calls)), (0, 3), output)
         code, output, calls = self.run_it("many", FAKE_BREAKDOWN="1")
@@ -204,6 +202,13 @@ class RunBuilt(InFolder):
         code, output, calls = self.run_it("one")
         self.assertEqual((code, calls), (0, ["run cases/one/case.toml --output output/one --force"]))
         self.assertIn("replacing the earlier run", output)
+
+    def test_what_is_wrong_with_the_comparison_is_said_before_a_run(self):
+        for name in ("one", "many", "tables"):
+            (self.folder / "cases" / name / "analyse.py").write_text("")
+            code, output, calls = self.run_it(name)
+            self.assertEqual((code, calls), (2, []), output)
+            self.assertIn(f"cases/{name}/analyse.py: it must have the functions tables(output, case)", output)
 
     def test_help_runs_and_draws_nothing(self):
         write_run(self.folder / "output/one", shear_time=4.2)

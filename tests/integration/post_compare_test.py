@@ -166,7 +166,7 @@ class Comparing(InFolder):
             ('title = ""\n[[value]]\nname = "deformation"\nreference = 1\n', ["[[value]] number 1", "one of `shear_time` and `mean_over`"]),
             ('title = ""\n[[value]]\ntable = "a.csv"\nreference = 1\n', ["[[value]] number 1", "`where` and `column`"]),
             ('title = ""\n[[change]]\nname = "deformation"\nshear_time = 1\nfrom = "a"\n', ["[[change]] number 1", "'to' is missing"]),
-            ('title = ""\n[first_peak]\nfit = ""\n', ["[first_peak]", "'stability' is missing"]),
+            ('title = ""\n[analyse]\nfit = ""\n', ["[analyse] is for", "case/analyse.py, and there is no such file"]),
             ('title = "\n', ["compare.toml", "line 1"]),
         ):
             with self.subTest(text=text):

@@ -48,11 +48,9 @@ class Plots(InFolder):
         case = self.folder / "case"
         case.mkdir()
         picture = 'title = "pictures"\n[[picture]]\nfile = "a.png"\nname = "{}"\nruns = ["a", "b"]\n'
-        first_peak = '[first_peak]\nfit = "fit.csv"\nstability = "stability.csv"\nstability_spring = 1.0\nband = 0.1\n'
         for text, words in (
             (picture.format("length"), "no picture of 'length', only of deformation, inclination_deg"),
             (picture.format("deformation"), "no run is called 'b'"),
-            (picture.format("deformation") + first_peak, "has pictures of its own"),
         ):
             (case / "runs.csv").write_text("run,groups\na,all\n")
             (case / "compare.toml").write_text(text)

@@ -5,8 +5,10 @@ import unittest
 
 from post_fixture import ROOT, InFolder
 
-from tanktread_post import reference, small_deformation
+from tanktread_post import case_analysis, reference
 from tanktread_post.viscous_capsule import drop_steady_state, start_up, steady_state
+
+small_deformation = case_analysis.module_of(ROOT / "cases/small-deformation/analyse.py")
 
 
 class SteadyState(InFolder):

@@ -3,13 +3,16 @@
 import contextlib
 import io
 import math
+import shutil
 import unittest
 
 import numpy
-from post_fixture import InFolder, write_echo, write_observables, write_run
+from post_fixture import ROOT, InFolder, write_echo, write_observables, write_run
 
-from tanktread_post import first_peak, measured, plot_first_peak, reference, run_folder
+from tanktread_post import case_analysis, case_results, measured, reference, run_folder
 
+ANALYSE = ROOT / "cases/spring-and-interval/analyse.py"
+first_peak = case_analysis.module_of(ANALYSE)
 BROKEN = """time   0.100 of 1.000  D 0.0100  inclination  44.00 deg  50.0 MLUPS  0 s left
 tanktread: error: step 375: membrane element 7 has collapsed
 last good state: out/checkpoints/step_0000000000
@@ -17,7 +20,7 @@ last good state: out/checkpoints/step_0000000000
 FIT = "# made for a test\nbq_s,A,b,c\n10,0.03,1.0,0.35\n"
 COMPARE = """title = "made for a test"
 read_at = [1.0]
-[first_peak]
+[analyse]
 fit = "fit.csv"
 stability = "stability.csv"
 stability_spring = 5.305e-6
@@ -37,6 +40,14 @@ def write_peak(folder, stiffness, peak, number=10.0, interval=1, scheme="fd", co
     times = numpy.linspace(0, 3, 301)
     values = peak - (times - 1.003) ** 2 / 10 + numpy.where(times > 1.5, (times - 1.5) ** 2, 0)
     write_observables(folder, [{"shear_time": repr(float(t)), "deformation": repr(float(d))} for t, d in zip(times, values)])
+
+
+def write_case(case, points=""):
+    """The files of a case with this analysis, beside its runs."""
+    shutil.copy(ANALYSE, case)
+    (case / "compare.toml").write_text(COMPARE)
+    (case / "fit.csv").write_text(FIT)
+    (case / "stability.csv").write_text("bq_s,N,kappa,outcome\n" + points)
 
 
 class FirstPeak(InFolder):
@@ -74,15 +85,19 @@ class FirstPeak(InFolder):
         write_run(self.folder / "begun", end=1.0, viscous={"scheme": "fd", "boussinesq_shear": 10.0, "spring_stiffness": 5.0, "interval": 1})
         case = self.folder / "case"
         case.mkdir(exist_ok=True)
-        (case / "compare.toml").write_text(COMPARE)
-        (case / "fit.csv").write_text(FIT)
-        (case / "stability.csv").write_text("bq_s,N,kappa,outcome\n10,25,250,stable\n")
+        write_case(case, "10,25,250,stable\n")
         return case
+
+    def measured(self, case):
+        """The table that --measure keeps."""
+        (name, text), *others = case_analysis.load(case).measured(self.folder, case).items()
+        self.assertEqual((name, others), ("first_peak.csv", []))
+        return measured.add_own(case, name, text, "cases/run case")
 
     def compared(self, limit):
         case, output = self.written(limit), io.StringIO()
         with contextlib.redirect_stdout(output):
-            code = first_peak.compare(self.folder, case)
+            code = case_results.judge(self.folder, case)
         return code, output.getvalue()
 
     def test_the_limit_is_judged(self):
@@ -101,7 +116,7 @@ class FirstPeak(InFolder):
         write_peak(self.folder / "k30", 30.0, 0.351)
         output = io.StringIO()
         with contextlib.redirect_stdout(output):
-            code = first_peak.compare(self.folder, case)
+            code = case_results.judge(self.folder, case)
         self.assertEqual(code, 1, output.getvalue())
         self.assertRegex(output.getvalue(), r"Bq_s = 10: c .*OUTSIDE")
         self.assertRegex(output.getvalue(), r"Bq_s = 10, kappa from 3: c .*[+-]0\.00 % +shown only")
@@ -132,16 +147,16 @@ class FirstPeak(InFolder):
         self.assertAlmostEqual(fits[10.0, True][2], 0.36, delta=1e-3)
         output = io.StringIO()
         with contextlib.redirect_stdout(output):
-            self.assertEqual(first_peak.compare(self.folder, case), 1)  # 0.36 is 3 % off, the band 1 %
+            self.assertEqual(case_results.judge(self.folder, case), 1)  # 0.36 is 3 % off, the band 1 %
         self.assertRegex(output.getvalue(), r"Bq_s = 10, corrected: c")
-        file = measured.add_readings(case, first_peak.read_runs(self.folder), "cases/run case")
+        file = self.measured(case)
         rows = {row["run"]: row for row in reference.read_table(file)}
         self.assertEqual([rows[run]["tangential_correction"] for run in ("k10", "corrected-k10")], ["", "true"])
-        self.assertEqual(len(plot_first_peak.plot_first_peak(self.folder, case)), 2)
+        self.assertEqual(len(case_results.draw(self.folder, case)), 2)
 
     def test_measured_readings_hold_the_runs_that_broke_down(self):
         case = self.written(0.35)
-        file = measured.add_readings(case, first_peak.read_runs(self.folder), "cases/run case")
+        file = self.measured(case)
         rows = {row["run"]: row for row in reference.read_table(file)}
         self.assertEqual(set(rows), {"k1", "k3", "k10", "k100", "broken"})
         self.assertEqual((rows["broken"]["outcome"], rows["broken"]["first_peak"]), ("breaks down", ""))
@@ -150,7 +165,7 @@ class FirstPeak(InFolder):
         self.assertRegex(file.read_text(), r"^# \d{4}-\d\d-\d\d: cases/run case\n")
 
     def test_pictures(self):
-        files = plot_first_peak.plot_first_peak(self.folder, self.written(0.35))
+        files = case_results.draw(self.folder, self.written(0.35))
         self.assertEqual([file.name for file in files], ["first_peak.png", "stability.png"])
         for file in files:
             self.assertGreater(file.stat().st_size, 5000)

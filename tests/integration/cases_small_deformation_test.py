@@ -2,14 +2,18 @@
 
 import contextlib
 import io
+import shutil
 import unittest
 
-from post_fixture import InFolder, write_run
+from post_fixture import ROOT, InFolder, write_run
 
-from tanktread_post import plot, small_deformation
+from tanktread_post import case_analysis, case_results
+
+ANALYSE = ROOT / "cases/small-deformation/analyse.py"
+small_deformation = case_analysis.module_of(ANALYSE)
 
 SETTINGS = """title = "made for a test"
-[small_deformation]
+[analyse]
 shear_time = 3.0
 band = 0.02
 laws = ["skalak", "neo-hookean"]
@@ -23,13 +27,14 @@ box_in_radii = 9
 least_radius = 8.0
 box_radius = 8.0
 """
-SECOND_ORDER, RESOLUTION, BOX = -6.0, 0.6, 9.0  # k, r, w of the formula in small_deformation.py
+SECOND_ORDER, RESOLUTION, BOX = -6.0, 0.6, 9.0  # k, r, w of the formula in analyse.py
 
 
 class SmallDeformation(InFolder):
     def setUp(self):
         super().setUp()
         (self.folder / "case").mkdir()
+        shutil.copy(ANALYSE, self.folder / "case")
         (self.folder / "case/compare.toml").write_text(SETTINGS)
 
     def run_of(self, name, law="skalak", number=0.02, radius=8.0, width=72, factor=1.0, kernel="cosine4", **more):
@@ -51,7 +56,7 @@ class SmallDeformation(InFolder):
     def compare(self):
         printed = io.StringIO()
         with contextlib.redirect_stdout(printed):
-            code = small_deformation.compare(self.folder / "out", self.folder / "case")
+            code = case_results.judge(self.folder / "out", self.folder / "case")
         return code, printed.getvalue()
 
     def test_theory(self):
@@ -104,11 +109,11 @@ class SmallDeformation(InFolder):
             self.assertIn(word, text)
         series = small_deformation.Series(small_deformation.read_runs(self.folder / "out", 3.0), SETTINGS_VALUES)
         self.assertAlmostEqual(series.kernel_ratios("cosine4")[8.0], at_8, delta=1e-12)
-        files = plot.plot_small_deformation(self.folder / "out", self.folder / "case")
+        files = case_results.draw(self.folder / "out", self.folder / "case")
         self.assertGreater(files[0].stat().st_size, 1000)
 
     def test_says_that_nothing_is_there(self):
-        self.assert_refused("no finished run", small_deformation.compare, self.folder / "out", self.folder / "case")
+        self.assert_refused("no finished run", case_results.judge, self.folder / "out", self.folder / "case")
 
 
 SETTINGS_VALUES = {

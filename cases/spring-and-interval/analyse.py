@@ -6,15 +6,21 @@ kappa. A run that breaks down is a result here: it is known by its log.
 
 import csv
 import dataclasses
+import io
 import math
 import pathlib
 
 import numpy
 
-from .compare import print_rows, table_row
-from .observables import InputError, Observables
-from .reference import look_up, read_comparison, read_table
-from .run_folder import breakdown, is_finished, is_run, read_echo, read_parameters
+from tanktread_post.observables import InputError, Observables
+from tanktread_post.plot import COLOURS, new_axes, save
+from tanktread_post.reference import look_up, read_comparison, read_table
+from tanktread_post.run_folder import breakdown, is_finished, is_run, read_echo, read_parameters
+from tanktread_post.table import Table, table_row
+
+# also_from: the least stiffness of a second fit, which is shown and not judged.
+SETTINGS = (("fit", "stability", "stability_spring", "band"), ("also_from",))
+BREAKDOWN_IS_A_RESULT = True
 
 
 @dataclasses.dataclass(frozen=True)
@@ -150,23 +156,29 @@ def published_stability(case, settings):
     return [(bq, n, kappa, settings["stability_spring"] * n * kappa * bq, outcome) for bq, n, kappa, outcome in points]
 
 
-def write_readings(readings, file):
-    """A CSV of the readings: a row a run, those that broke down among them."""
-    with open(file, "w", newline="") as stream:
-        writer = csv.writer(stream, lineterminator="\n")
-        writer.writerow(("run", "scheme", "boussinesq_shear", "tangential_correction", "interval", "spring_stiffness", "interval_times_spring", "outcome", "first_peak", "commit"))
-        for r in readings:
-            peak = "" if math.isnan(r.peak) else f"{r.peak:.8g}"
-            numbers = (f"{r.boussinesq_shear:g}", "true" if r.corrected else "", r.interval, f"{r.stiffness:g}", f"{r.interval_times_spring:.6g}")
-            writer.writerow((r.run, r.scheme, *numbers, r.outcome, peak, r.commit))
+def written(readings):
+    """The readings as the text of a CSV: a row a run, those that broke down among them."""
+    stream = io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")
+    writer.writerow(("run", "scheme", "boussinesq_shear", "tangential_correction", "interval", "spring_stiffness", "interval_times_spring", "outcome", "first_peak", "commit"))
+    for r in readings:
+        peak = "" if math.isnan(r.peak) else f"{r.peak:.8g}"
+        numbers = (f"{r.boussinesq_shear:g}", "true" if r.corrected else "", r.interval, f"{r.stiffness:g}", f"{r.interval_times_spring:.6g}")
+        writer.writerow((r.run, r.scheme, *numbers, r.outcome, peak, r.commit))
+    return stream.getvalue()
 
 
-def compare(output, case):
-    """Prints peaks, fits and the map of stability; 1 if a limit c lies outside its band, else 0."""
-    settings, readings = read_comparison(case)["first_peak"], read_runs(output)
+def measured(output, case):
+    """first_peak.csv, for --measure."""
+    return {"first_peak.csv": written(read_runs(output))}
+
+
+def tables(output, case):
+    """Peaks and the map of stability, and the fits, of which the limit c is judged."""
+    settings, readings = read_comparison(case)["analyse"], read_runs(output)
     if not readings:
         raise InputError(f"{output}: no run that is finished or broken down is there")
-    print_rows(
+    peaks = Table(
         "First peak of D, and stability",
         ("run", "Bq_s", "N", "kappa", "N k_s'", "D1", "outcome"),
         [
@@ -179,6 +191,56 @@ def compare(output, case):
         ],
     )  # fmt: skip
     rows, verdicts = fit_rows(readings, case, settings)
-    if rows:
-        print_rows("D1 = A kappa^-b + c", ("quantity", "", "ours", "thesis", "difference", "band", ""), rows)
-    return 1 if False in verdicts else 0
+    fitted = Table("D1 = A kappa^-b + c", ("quantity", "", "ours", "thesis", "difference", "band", ""), rows, verdicts)
+    return [peaks, fitted] if rows else [peaks]
+
+
+def plot_peaks(output, case, readings):
+    """first_peak.png: D1 against kappa, with our fit and the published one."""
+    settings = read_comparison(case)["analyse"]
+    published = {float(row["bq_s"]): row for row in read_table(pathlib.Path(case) / settings["fit"])}
+    figure, axes = new_axes(r"stiffness of the spring  $\kappa$", "first peak  $D_1$")
+    axes.set_xscale("log")
+    fitted = fits(readings)
+    for colour, (series, chosen) in zip(COLOURS, curves(readings).items()):
+        if not chosen:
+            continue
+        number, corrected = series
+        axes.plot([r.stiffness for r in chosen], [r.peak for r in chosen], "o", color=colour, label=name_of(series))
+        a, b, c = fitted[series]
+        x = numpy.geomspace(1, max(r.stiffness for r in chosen), 100)
+        if not math.isnan(a):
+            axes.plot(x, a * x**-b + c, color=colour, linewidth=1)
+        if number in published and not (corrected and (number, False) in fitted):
+            a, b, c = (float(published[number][name]) for name in "Abc")
+            axes.plot(x, a * x**-b + c, "--", color="black", linewidth=1, label=f"thesis, $Bq_s$ = {number:g}")
+    if axes.has_data():
+        axes.legend(frameon=False)
+    return save(figure, pathlib.Path(output) / "first_peak.png")
+
+
+def plot_stability(output, case, readings):
+    """stability.png: N k_s' of each run against N, stable or not, the thesis's points beside ours."""
+    figure, axes = new_axes("steps between updates  $N$", r"$N k_s'$  (lattice units)")
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    for place, (colour, number) in enumerate(zip(COLOURS, sorted({r.boussinesq_shear for r in readings}))):
+        for broken, marker in ((False, "s"), (True, "x")):
+            chosen = [r for r in readings if r.boussinesq_shear == number and r.broke_down == broken]
+            if chosen:
+                label = f"$Bq_s$ = {number:g}, {'breaks down' if broken else 'stable'}"
+                beside = [r.interval * 1.05**place for r in chosen]  # so that points of one N and N k_s' do not hide each other
+                axes.plot(beside, [r.interval_times_spring for r in chosen], marker, color=colour, label=label)
+    points = published_stability(case, read_comparison(case)["analyse"])
+    for outcome, marker in (("stable", "s"), ("breaks down", "x")):
+        chosen = [(n, product) for _, n, _, product, said in points if said == outcome]
+        if chosen:
+            axes.plot(*zip(*chosen), marker, color="black", markerfacecolor="white", label=f"thesis, {outcome}")
+    axes.legend(frameon=False)
+    return save(figure, pathlib.Path(output) / "stability.png")
+
+
+def pictures(output, case):
+    """Both pictures."""
+    readings = read_runs(output)
+    return [plot_peaks(output, case, readings), plot_stability(output, case, readings)] if readings else []

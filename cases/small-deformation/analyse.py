@@ -18,10 +18,19 @@ import pathlib
 
 import numpy
 
-from .compare import print_rows
-from .observables import InputError, Observables
-from .reference import read_comparison
-from .run_folder import capillary_number_by_shear_modulus, is_finished, read_echo
+from tanktread_post.observables import InputError, Observables
+from tanktread_post.plot import COLOURS, new_axes, save
+from tanktread_post.reference import read_comparison
+from tanktread_post.run_folder import capillary_number_by_shear_modulus, is_finished, read_echo
+from tanktread_post.table import Table
+
+SETTINGS = (
+    (
+        "shear_time", "band", "laws", "kernel", "slope_kernels", "judged_kernel", "kernels", "kernel_law", "kernel_capillary_number",
+        "box_in_radii", "least_radius", "box_radius",
+    ),
+    (),
+)  # fmt: skip
 
 
 @dataclasses.dataclass(frozen=True)
@@ -168,52 +177,87 @@ def _percent(ratio):
     return "" if ratio is None or math.isnan(ratio) else f"{100 * (ratio - 1):+.2f} %"
 
 
-def _table(title, label, rows, radii):
-    """Prints errors: one row a series {radius: ratio}, with its extrapolation."""
+def _table(title, label, rows, radii, **more):
+    """A table of errors: one row a series (name, {radius: ratio}, extrapolation, word)."""
     header = (label, *(f"a = {radius:g}" for radius in radii), "a to infinity", "")
-    print_rows(title, header, [(name, *(_percent(ratios.get(a)) for a in radii), _percent(limit), word) for name, ratios, limit, word in rows])
+    texts = [(name, *(_percent(ratios.get(a)) for a in radii), _percent(limit), word) for name, ratios, limit, word in rows]
+    return Table(title, header, texts, **more)
 
 
-def _slope_row(series, law, kernel, factor, inside):
-    """A row of the table of slopes; whether it lies in the band is added to `inside` if it is known."""
+def _slope_row(series, law, kernel, factor):
+    """A row of the table of slopes, and whether it lies in the band; None where that is not known, or not judged."""
     slopes = series.slopes(law, kernel)
     limit = extrapolated(slopes, factor, series.settings["least_radius"])
     if math.isnan(limit):
-        return law, slopes, limit, "not judged yet"
+        return (law, slopes, limit, "not judged yet"), None
     if kernel != series.settings["judged_kernel"]:
-        return law, slopes, limit, "shown only"
-    inside.append(abs(limit - 1.0) <= series.settings["band"])
-    return law, slopes, limit, "inside" if inside[-1] else "OUTSIDE"
+        return (law, slopes, limit, "shown only"), None
+    inside = abs(limit - 1.0) <= series.settings["band"]
+    return (law, slopes, limit, "inside" if inside else "OUTSIDE"), inside
 
 
-def compare(output, case):
-    """Prints the errors against the theory; 1 if an extrapolated slope lies outside the band, else 0."""
-    settings = read_comparison(case)["small_deformation"]
+def _slope_table(series, kernel, factor, radii, **more):
+    rows, verdicts = zip(*(_slope_row(series, law, kernel, factor) for law in series.settings["laws"]))
+    title = f"slope D/Ca_G at Ca_G = 0, kernel {kernel}; band {100 * series.settings['band']:g} %"
+    return _table(title, "law", rows, radii, verdicts=verdicts, **more)
+
+
+def _kernel_table(series, factor, radii):
+    settings, rows = series.settings, []
+    for kernel in settings["kernels"]:
+        ratios = series.kernel_ratios(kernel)
+        rows.append((kernel, ratios, extrapolated(ratios, factor, settings["least_radius"]), ""))
+    return _table(f"kernels, {settings['kernel_law']}, Ca_G = {settings['kernel_capillary_number']:g}", "kernel", rows, radii)
+
+
+def _box_table(series, factor):
+    settings, boxes = series.settings, sorted(series.boxes(), key=lambda r: r.width)
+    return Table(
+        f"box, a = {settings['box_radius']:g}: the box of {settings['box_in_radii']:g} a changes D by {_percent(factor) or 'an unknown share'}",
+        ("L/a", "error", "inclination", ""),
+        [(f"{r.width / r.radius:g}", _percent(r.ratio), f"{r.inclination_deg:.2f}", "") for r in boxes],
+        after=[f"without inertia, {r.run}: error {_percent(r.ratio)}, inclination {r.inclination_deg:.2f}" for r in series.stokes],
+    )
+
+
+def tables(output, case):
+    """The errors against the theory; an extrapolated slope is judged by the band."""
+    settings = read_comparison(case)["analyse"]
     readings = read_runs(output, settings["shear_time"])
     if not readings:
         raise InputError(f"{output}: no finished run is there")
     series = Series(readings, settings)
-    radii = sorted({r.radius for r in series.readings})
-    factor = series.factor()
-    print(f"D over that of the theory, less one, read at shear time {settings['shear_time']:g}")
+    radii, factor = sorted({r.radius for r in series.readings}), series.factor()
+    said = [f"D over that of the theory, less one, read at shear time {settings['shear_time']:g}"]
+    slopes = [
+        _slope_table(series, kernel, factor, radii, before=said if number == 0 else ())
+        for number, kernel in enumerate(settings["slope_kernels"])
+    ]
+    return [*slopes, _kernel_table(series, factor, radii), _box_table(series, factor)]
 
-    inside = []
-    for kernel in settings["slope_kernels"]:
-        rows = [_slope_row(series, law, kernel, factor, inside) for law in settings["laws"]]
-        _table(f"slope D/Ca_G at Ca_G = 0, kernel {kernel}; band {100 * settings['band']:g} %", "law", rows, radii)
 
-    rows = []
-    for kernel in settings["kernels"]:
-        ratios = series.kernel_ratios(kernel)
-        rows.append((kernel, ratios, extrapolated(ratios, factor, settings["least_radius"]), ""))
-    _table(f"kernels, {settings['kernel_law']}, Ca_G = {settings['kernel_capillary_number']:g}", "kernel", rows, radii)
+def pictures(output, case):
+    """errors.png: D over that of the theory, less one, against 1/a, a line a kernel.
 
-    boxes = sorted(series.boxes(), key=lambda r: r.width)
-    print_rows(
-        f"box, a = {settings['box_radius']:g}: the box of {settings['box_in_radii']:g} a changes D by {_percent(factor) or 'an unknown share'}",
-        ("L/a", "error", "inclination", ""),
-        [(f"{r.width / r.radius:g}", _percent(r.ratio), f"{r.inclination_deg:.2f}", "") for r in boxes],
-    )
-    for r in series.stokes:
-        print(f"without inertia, {r.run}: error {_percent(r.ratio)}, inclination {r.inclination_deg:.2f}")
-    return 0 if all(inside) else 1
+    With no finished run of the kernel series there is nothing to draw, and no file.
+    """
+    settings = read_comparison(case)["analyse"]
+    series = Series(read_runs(output, settings["shear_time"]), settings)
+    ratios_of = {kernel: series.kernel_ratios(kernel) for kernel in settings["kernels"]}
+    if not any(ratios_of.values()):
+        return []
+    figure, axes = new_axes(r"grid steps a radius, inverse  $1/a$", "error of $D$ against the theory  (%)")
+    for colour, (kernel, ratios) in zip(COLOURS, ratios_of.items()):
+        if not ratios:
+            continue
+        x, y = [1.0 / radius for radius in ratios], [100 * (ratio - 1) for ratio in ratios.values()]
+        axes.plot(x, y, "o", color=colour, label=kernel)
+        fine = [k for k, radius in enumerate(ratios) if radius >= settings["least_radius"]]
+        if len(fine) > 1:
+            line = numpy.polynomial.Polynomial.fit([x[k] for k in fine], [y[k] for k in fine], 1)
+            ends = numpy.array([0, max(x)])
+            axes.plot(ends, line(ends), color=colour, linewidth=1, alpha=0.6)
+    axes.axhline(0, color="black", linewidth=0.8)
+    axes.set_xlim(left=0)
+    axes.legend(frameon=False, title=f"$Ca_G$ = {settings['kernel_capillary_number']:g}, box {settings['box_in_radii']:g} $a$")
+    return [save(figure, pathlib.Path(output) / "errors.png")]
