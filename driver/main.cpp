@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "driver/case.hpp"
-#include "driver/commands.hpp"
-#include "driver/missing_command.hpp"
-#include "driver/spelling.hpp"
-#include "driver/version.hpp"
+#include "driver/case/case.hpp"
+#include "driver/case/spelling.hpp"
+#include "driver/program/commands.hpp"
+#include "driver/program/missing_command.hpp"
+#include "driver/program/version.hpp"
 
 namespace {
 

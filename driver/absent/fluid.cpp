@@ -1,5 +1,5 @@
 // A program without the fluid.
-#include "driver/missing_command.hpp"
+#include "driver/program/missing_command.hpp"
 #include "driver/stages/replay_component.hpp"
 
 namespace tanktread::driver {

@@ -1,6 +1,6 @@
 // A program without the membrane: a case may name any law or scheme.
-#include "driver/missing_command.hpp"
-#include "driver/names.hpp"
+#include "driver/case/names.hpp"
+#include "driver/program/missing_command.hpp"
 #include "driver/stages/replay_component.hpp"
 
 namespace tanktread::driver {

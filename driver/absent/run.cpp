@@ -1,5 +1,5 @@
 // A program without one of the components that a run puts together.
-#include "driver/missing_command.hpp"
+#include "driver/program/missing_command.hpp"
 
 namespace tanktread::driver {
 

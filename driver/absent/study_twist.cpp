@@ -1,5 +1,5 @@
 // A program without the membrane or the coupler.
-#include "driver/missing_command.hpp"
+#include "driver/program/missing_command.hpp"
 
 namespace tanktread::driver {
 

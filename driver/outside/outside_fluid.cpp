@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "driver/stages/packet_files.hpp"
+#include "driver/packets/packet_files.hpp"
 
 namespace tanktread::driver {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "driver/flow_units.hpp"
 #include "driver/outside/outside_program.hpp"
+#include "driver/units/flow_units.hpp"
 #include "fluid/fluid.hpp"
 
 namespace tanktread::driver {

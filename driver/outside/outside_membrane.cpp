@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "driver/stages/packet_files.hpp"
-#include "driver/surface_mesh.hpp"
+#include "driver/packets/packet_files.hpp"
+#include "driver/packets/surface_mesh.hpp"
 
 namespace tanktread::driver {
 namespace {

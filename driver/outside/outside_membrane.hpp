@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "driver/outside/outside_program.hpp"
-#include "driver/stages/membrane_state.hpp"
-#include "driver/units.hpp"
+#include "driver/packets/membrane_state.hpp"
+#include "driver/units/units.hpp"
 #include "membrane/membrane.hpp"
 
 namespace tanktread::driver {

@@ -5,8 +5,8 @@
 
 #include <system_error>
 
-#include "driver/run_error.hpp"
-#include "driver/stages/packet_files.hpp"
+#include "driver/packets/packet_files.hpp"
+#include "driver/program/run_error.hpp"
 
 namespace tanktread::driver {
 namespace {

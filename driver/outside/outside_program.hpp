@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "driver/case.hpp"
+#include "driver/case/case.hpp"
 #include "driver/outside/child_process.hpp"
 #include "driver/outside/packet_directory.hpp"
 #include "exchange/vtk_files.hpp"

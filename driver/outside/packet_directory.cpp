@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "driver/case.hpp"
+#include "driver/case/case.hpp"
 
 namespace tanktread::driver {
 namespace {

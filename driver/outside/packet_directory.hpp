@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "driver/output_directory.hpp"
+#include "driver/program/output_directory.hpp"
 
 namespace tanktread::driver {
 

@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "driver/commands.hpp"
+#include "driver/program/commands.hpp"
 #include "driver/stages/case_options.hpp"
 #include "driver/stages/stages.hpp"
 

@@ -1,8 +1,8 @@
 #include <memory>
 #include <numbers>
 
-#include "driver/commands.hpp"
-#include "driver/signals.hpp"
+#include "driver/program/commands.hpp"
+#include "driver/program/signals.hpp"
 #include "driver/stages/case_options.hpp"
 #include "driver/stages/stages.hpp"
 
@@ -71,7 +71,8 @@ void add_membrane_command(CLI::App& app, int& exit_code) {
   add_motion_options(*command, *arguments);
   command->get_option("--motion")->excludes(in)->excludes(move)->excludes(state);
   command->callback([=, &exit_code] {
-    const SignalGuard guard;  // so that a program in the membrane's place, and its packets, end with the stage
+    // So that a program in the membrane's place, and its packets, end with the stage.
+    const SignalGuard guard;
     if (!arguments->motion_name.empty()) {
       run_motion(*arguments);
     } else {

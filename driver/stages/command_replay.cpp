@@ -6,7 +6,7 @@
 #include <memory>
 #include <tuple>
 
-#include "driver/commands.hpp"
+#include "driver/program/commands.hpp"
 #include "driver/stages/replay.hpp"
 
 namespace tanktread::driver {

@@ -1,8 +1,8 @@
-#include "driver/components.hpp"
-#include "driver/stages/packet_files.hpp"
-#include "driver/stages/phases.hpp"
+#include "driver/packets/packet_files.hpp"
 #include "driver/stages/stage_errors.hpp"
 #include "driver/stages/stages.hpp"
+#include "driver/system/components.hpp"
+#include "driver/system/phases.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {

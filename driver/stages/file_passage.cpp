@@ -1,8 +1,8 @@
 #include "driver/stages/file_passage.hpp"
 
-#include "driver/stages/membrane_files.hpp"
-#include "driver/stages/packet_folder.hpp"
-#include "driver/stages/state_folder.hpp"
+#include "driver/packets/packet_folder.hpp"
+#include "driver/system/membrane_files.hpp"
+#include "driver/system/state_folder.hpp"
 
 namespace tanktread::driver {
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "driver/stages/passage.hpp"
+#include "driver/system/passage.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {

@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include "driver/components.hpp"
-#include "driver/stages/fluid_files.hpp"
-#include "driver/stages/packet_files.hpp"
-#include "driver/stages/phases.hpp"
-#include "driver/stages/saved_state.hpp"
+#include "driver/packets/fluid_files.hpp"
+#include "driver/packets/packet_files.hpp"
+#include "driver/packets/saved_state.hpp"
 #include "driver/stages/stage_errors.hpp"
 #include "driver/stages/stages.hpp"
+#include "driver/system/components.hpp"
+#include "driver/system/phases.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {

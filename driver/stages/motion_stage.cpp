@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <functional>
 
-#include "driver/components.hpp"
-#include "driver/output_directory.hpp"
-#include "driver/schedule.hpp"
-#include "driver/signals.hpp"
-#include "driver/stages/membrane_files.hpp"
-#include "driver/stages/packet_files.hpp"
-#include "driver/stages/phases.hpp"
+#include "driver/packets/packet_files.hpp"
+#include "driver/program/output_directory.hpp"
+#include "driver/program/signals.hpp"
 #include "driver/stages/stage_errors.hpp"
 #include "driver/stages/stages.hpp"
-#include "driver/twisting_sphere.hpp"
+#include "driver/study/twisting_sphere.hpp"
+#include "driver/system/components.hpp"
+#include "driver/system/membrane_files.hpp"
+#include "driver/system/phases.hpp"
+#include "driver/units/schedule.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {

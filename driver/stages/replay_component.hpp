@@ -2,7 +2,7 @@
 // one in driver/absent/, which says so.
 #pragma once
 
-#include "driver/case.hpp"
+#include "driver/case/case.hpp"
 #include "driver/stages/replay_record.hpp"
 
 namespace tanktread::driver {

@@ -1,6 +1,6 @@
-#include "driver/components.hpp"
-#include "driver/stages/phases.hpp"
 #include "driver/stages/replay_component.hpp"
+#include "driver/system/components.hpp"
+#include "driver/system/phases.hpp"
 
 namespace tanktread::driver {
 namespace {

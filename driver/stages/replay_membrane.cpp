@@ -1,8 +1,8 @@
-#include "driver/components.hpp"
-#include "driver/stages/membrane_files.hpp"
-#include "driver/stages/phases.hpp"
 #include "driver/stages/replay_component.hpp"
 #include "driver/stages/stage_errors.hpp"
+#include "driver/system/components.hpp"
+#include "driver/system/membrane_files.hpp"
+#include "driver/system/phases.hpp"
 
 namespace tanktread::driver {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "driver/case.hpp"
-#include "driver/output_directory.hpp"
-#include "driver/stages/packet_folder.hpp"
+#include "driver/case/case.hpp"
+#include "driver/packets/packet_folder.hpp"
+#include "driver/program/output_directory.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {

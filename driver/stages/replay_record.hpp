@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "driver/stages/packet_files.hpp"
+#include "driver/packets/packet_files.hpp"
+#include "driver/packets/saved_state.hpp"
 #include "driver/stages/replay.hpp"
-#include "driver/stages/saved_state.hpp"
 
 namespace tanktread::driver {
 

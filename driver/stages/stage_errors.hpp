@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "driver/case.hpp"
-#include "driver/run_error.hpp"
+#include "driver/case/case.hpp"
+#include "driver/program/run_error.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "driver/case.hpp"
+#include "driver/case/case.hpp"
 
 namespace tanktread::driver {
 

@@ -2,10 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "driver/checkpoint.hpp"
-#include "driver/components.hpp"
-#include "driver/observables.hpp"
-#include "driver/step.hpp"
+#include "driver/run/checkpoint.hpp"
+#include "driver/run/observables.hpp"
+#include "driver/system/components.hpp"
+#include "driver/system/step.hpp"
 #include "tests/integration/program.hpp"
 
 namespace tanktread::driver {
@@ -110,7 +110,8 @@ TEST(Step, CheckpointGoesOnBitForBit) {
 
 TEST(Step, StopsOnExcessSpeed) {
   auto system = make(parse({"flow.speed_limit=0.018"}));
-  EXPECT_THAT(breakdown(system), AllOf(HasSubstr("step "), HasSubstr("node ("), HasSubstr("speed_limit, 0.018")));
+  EXPECT_THAT(breakdown(system),
+              AllOf(HasSubstr("step "), HasSubstr("node ("), HasSubstr("speed_limit, 0.018")));
 }
 
 TEST(Step, StopsOnALongMove) {

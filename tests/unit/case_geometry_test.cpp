@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "driver/case_geometry.hpp"
+#include "driver/case/case_geometry.hpp"
 #include "tests/unit/case_samples.hpp"
 
 namespace {

@@ -4,9 +4,9 @@
 
 #include <fstream>
 
-#include "driver/case_programs.hpp"
-#include "driver/echo.hpp"
-#include "driver/warnings.hpp"
+#include "driver/case/case_programs.hpp"
+#include "driver/plan/echo.hpp"
+#include "driver/plan/warnings.hpp"
 #include "tests/integration/program.hpp"
 #include "tests/unit/case_samples.hpp"
 

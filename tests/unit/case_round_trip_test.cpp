@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "driver/schema.hpp"
+#include "driver/case/schema.hpp"
 #include "tests/unit/case_samples.hpp"
 
 namespace {

@@ -7,8 +7,8 @@
 #include <set>
 #include <sstream>
 
-#include "driver/schema.hpp"
-#include "driver/spelling.hpp"
+#include "driver/case/schema.hpp"
+#include "driver/case/spelling.hpp"
 #include "tests/unit/case_samples.hpp"
 
 namespace {

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "driver/units.hpp"
+#include "driver/units/units.hpp"
 #include "tests/unit/case_samples.hpp"
 
 namespace {

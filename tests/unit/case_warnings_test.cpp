@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "driver/warnings.hpp"
+#include "driver/plan/warnings.hpp"
 #include "tests/unit/case_samples.hpp"
 
 namespace {

@@ -4,9 +4,9 @@
 
 #include <sstream>
 
-#include "driver/echo.hpp"
-#include "driver/echo_table.hpp"
-#include "driver/warnings.hpp"
+#include "driver/plan/echo.hpp"
+#include "driver/plan/echo_table.hpp"
+#include "driver/plan/warnings.hpp"
 #include "tests/unit/case_samples.hpp"
 
 namespace {

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <map>
 
-#include "driver/parameters_file.hpp"
-#include "driver/version.hpp"
+#include "driver/program/version.hpp"
+#include "driver/units/parameters_file.hpp"
 #include "tests/unit/case_samples.hpp"
 
 namespace {

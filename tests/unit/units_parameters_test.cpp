@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "driver/units.hpp"
+#include "driver/units/units.hpp"
 #include "tests/unit/case_samples.hpp"
 
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "driver/si.hpp"
+#include "driver/units/si.hpp"
 #include "tests/unit/case_samples.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "driver/study_maxwell.hpp"
+#include "driver/study/study_maxwell.hpp"
 
 namespace tanktread::driver {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "driver/study_noise.hpp"
+#include "driver/study/study_noise.hpp"
 
 namespace tanktread::driver {
 namespace {

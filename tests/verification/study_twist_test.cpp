@@ -4,8 +4,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "driver/study_twist.hpp"
-#include "driver/twisting_sphere.hpp"
+#include "driver/study/study_twist.hpp"
+#include "driver/study/twisting_sphere.hpp"
 
 namespace tanktread::driver {
 namespace {

@@ -1,0 +1,158 @@
+// A case: everything a user says, checked and typed, with the defaults filled in.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "driver/case/case_value.hpp"
+
+namespace tanktread::driver {
+
+/// Bad input: the message names the file, the key, the value, the allowed range and the fix. Exit code 2.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct FlowCase {
+  std::string kind = "shear";  ///< shear | poiseuille | periodic
+  std::array<int, 3> box = {60, 60, 60};
+  int wall_axis = 2;
+  int flow_axis = 0;
+  /// Exactly one of reynolds_number, wall_speed (shear_rate if periodic).
+  std::optional<double> reynolds_number;
+  std::optional<double> wall_speed;  ///< U0, lattice units
+  std::optional<double> shear_rate;  ///< periodic only, lattice units
+  double relaxation_time = 1.0;
+  std::string collision = "trt";  ///< trt | bgk
+  double magic_parameter = 0.1875;
+  double viscosity_ratio = 1.0;
+  std::string start = "rest";  ///< rest | developed
+  std::array<double, 3> body_force = {0, 0, 0};
+  bool inertia = true;
+  std::optional<double> speed_limit;  ///< none: by the wall speed (FlowParameters)
+  std::vector<std::string> command;   ///< a program in the place of the flow solver; empty: none
+
+  bool operator==(const FlowCase&) const = default;
+};
+
+/// Membrane viscosity: a Maxwell element, the dashpot mu in series with the artificial spring k' (tau =
+/// mu/k'). A spring is given in one of three forms, all with the suffix _dilatational for the second part.
+struct ViscousCase {
+  std::string scheme = "none";         ///< none | fd | int1 | int2; none: the other members have no effect
+  double boussinesq_shear = 0;         ///< Bq_s = mu_s/(mu_o a)
+  double boussinesq_dilatational = 0;  ///< Bq_d = mu_d/(mu_o a)
+  std::optional<double> spring_stiffness;        ///< kappa = L k'/(U0 mu_s); without walls U0/L is g/2
+  std::optional<double> spring_relaxation_time;  ///< tau g
+  std::optional<double> spring_modulus;          ///< k', lattice units
+  std::optional<double> spring_stiffness_dilatational, spring_relaxation_time_dilatational,
+      spring_modulus_dilatational;                     ///< none: the tau of the shear spring
+  int interval = 1;                                    ///< N: steps between two updates of the viscous stress
+  std::string strain_sampling = "latest";              ///< latest | moving-average
+  std::string stress_measure = "rate-of-deformation";  ///< rate-of-deformation | rate-of-strain
+
+  bool operator==(const ViscousCase&) const = default;
+};
+
+struct MembraneCase {
+  std::string elastic_law = "skalak";
+  double capillary_number = 0.3;
+  std::string capillary_modulus = "E_s";  ///< E_s = 2 G_s | G_s | gamma (interfacial-tension)
+  double area_ratio = 1.0;
+  double poisson_ratio = 0.5;
+  std::vector<std::string> command;  ///< a program in the place of the laws; empty: none
+  ViscousCase viscous;
+
+  bool operator==(const MembraneCase&) const = default;
+};
+
+struct MeshCase {
+  std::string shape = "sphere";
+  int level = 3;
+  std::string file;  ///< a .vtu instead of a shape, absolute; scaled to `radius` by its volume; "": none
+
+  bool operator==(const MeshCase&) const = default;
+};
+
+struct CapsuleCase {
+  double radius = 0;  ///< grid steps
+  std::array<double, 3> position = {0, 0, 0};
+  MeshCase mesh;
+  MembraneCase membrane;  ///< [membrane] with the capsule's own table laid over it
+  double viscosity_ratio = 1.0;
+
+  bool operator==(const CapsuleCase&) const = default;
+};
+
+struct CouplerCase {
+  std::string kernel = "cosine4";
+  bool tangential_correction = false;
+
+  bool operator==(const CouplerCase&) const = default;
+};
+
+struct RunCase {
+  double shear_time = 10.0;
+  int threads = 0;
+  double checkpoint_every = 1.0;   ///< shear times
+  double command_time_limit = 60;  ///< seconds a program may take for an answer
+  std::string command_directory;   ///< of the packets for programs, absolute; "": a fresh one
+
+  bool operator==(const RunCase&) const = default;
+};
+
+struct OutputCase {
+  double observables_every = 0.02;  ///< shear times, all three; 0: never
+  double membrane_every = 0.25;
+  double fluid_every = 1.0;
+  /// First and last node (both included) along x, y, z that fluid output covers; none: the whole box.
+  std::optional<Ranges3> fluid_box;
+
+  bool operator==(const OutputCase&) const = default;
+};
+
+/// The [si] form (docs/case-file.md): physical values as given; all members positive.
+struct SiCase {
+  double radius_m = 0;  ///< of the first capsule; the others follow by the ratio of their radii
+  double shear_rate_per_s = 0;
+  double viscosity_Pa_s = 0;
+  double density_kg_per_m3 = 1000;
+  std::optional<double> shear_modulus_N_per_m, interfacial_tension_N_per_m;  ///< exactly one
+  std::optional<double> membrane_shear_viscosity_N_s_per_m = std::nullopt;
+  std::optional<double> membrane_dilatational_viscosity_N_s_per_m = std::nullopt;
+
+  bool operator==(const SiCase&) const = default;
+};
+
+struct Case {
+  std::string title;
+  FlowCase flow;
+  std::vector<CapsuleCase> capsules;  ///< at least one
+  CouplerCase coupler;
+  RunCase run;
+  OutputCase output;
+  std::optional<SiCase> si;
+  std::filesystem::path file;  ///< where it came from, for messages and relative mesh paths
+
+  bool operator==(const Case&) const = default;
+};
+
+/// Reads a case file, lays the `--set` assignments ("dotted.path=TOML value") over it, checks everything.
+/// @throws InputError that names all problems, a line each with file and line (or the assignment), key,
+/// value, what is allowed and the fix: unknown keys ("did you mean"), wrong types, values out of range,
+/// contradictory or missing keys, a syntax error, a missing file
+Case read_case(const std::filesystem::path& file, const std::vector<std::string>& assignments = {});
+
+/// The same from text; `name` stands for the file in messages, relative paths are taken from `directory`.
+Case parse_case(const std::string& text, const std::string& name, const std::filesystem::path& directory,
+                const std::vector<std::string>& assignments = {});
+
+/// The case as TOML with every key resolved: itself a valid case that reproduces the run. Read back (with the
+/// same file name and directory) it equals the case, to the last bit.
+std::string to_toml(const Case& the_case);
+
+}  // namespace tanktread::driver

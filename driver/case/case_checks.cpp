@@ -1,0 +1,185 @@
+#include "driver/case/case_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace tanktread::driver {
+namespace {
+
+/// A capsule's key may stand in [membrane] instead.
+bool stands_somewhere(const CaseReader& reader, const Key& key, std::size_t capsule) {
+  if (reader.has(numbered_path(key.path, capsule))) return true;
+  const std::string own = "capsule.N.";
+  return key.path.starts_with(own + "membrane.") && reader.has(key.path.substr(own.size()));
+}
+
+std::string objection_of(const Key& key, const Case& the_case, std::size_t capsule) {
+  return key.objection == nullptr ? "" : key.objection(the_case, capsule);
+}
+
+void check_missing(CaseReader& reader, const Key& key, const Case& the_case, std::size_t capsule) {
+  if (!key.is_required() || stands_somewhere(reader, key, capsule)) return;
+  if (!objection_of(key, the_case, capsule).empty()) return;
+  reader.problem(numbered_path(key.path, capsule), "is missing; give " + allowed_text(key));
+}
+
+/// A value that is wrong by itself has been said to be.
+void check_objection(CaseReader& reader, const Key& key, const Case& the_case, std::size_t capsule) {
+  const auto path = numbered_path(key.path, capsule);
+  if (!is_given(reader.value(path)) || reader.is_idle(path, key)) return;
+  const auto objection = objection_of(key, the_case, capsule);
+  if (!objection.empty()) reader.problem(path, objection);
+}
+
+/// A key of [membrane] has its place if it has one in any capsule.
+void check_membrane_objection(CaseReader& reader, const Key& key, const Case& the_case) {
+  if (!is_given(reader.value(key.path)) || reader.is_idle(key.path, key)) return;
+  std::string first;
+  for (std::size_t k = 0; k < the_case.capsules.size(); ++k) {
+    const auto objection = objection_of(key, the_case, k);
+    if (objection.empty()) return;
+    if (first.empty()) first = objection;
+  }
+  if (!first.empty()) reader.problem(key.path, first);
+}
+
+void check_flow(CaseReader& reader, const Case& the_case) {
+  const auto& flow = the_case.flow;
+  if (flow.wall_axis == flow.flow_axis) {
+    reader.problem("flow.flow_axis",
+                   fmt::format("is the wall axis too ({}), but the flow runs along the walls; choose another "
+                               "flow_axis or wall_axis",
+                               "xyz"[flow.wall_axis]));
+  }
+  if (flow.kind == "periodic") {
+    if (flow.start == "developed") {
+      reader.problem("flow.start", "a periodic box has no developed profile; use \"rest\"");
+    }
+    if (!reader.has("flow.shear_rate")) {
+      reader.problem("flow.shear_rate", "is missing; a periodic box needs it as its unit of time");
+    }
+  } else if (!reader.has("flow.reynolds_number") && !reader.has("flow.wall_speed") && !the_case.si) {
+    reader.problem("flow.reynolds_number", "is missing; give reynolds_number or wall_speed");
+  }
+}
+
+void check_modulus(CaseReader& reader, const Case& the_case, std::size_t capsule) {
+  if (the_case.si) return;  // it gives the modulus itself
+  const auto& [law, modulus] = std::pair(the_case.capsules[capsule].membrane.elastic_law,
+                                         the_case.capsules[capsule].membrane.capillary_modulus);
+  const bool is_tension = law == "interfacial-tension";
+  if (is_tension == (modulus == "gamma")) return;
+  reader.problem(membrane_path(reader, "capillary_modulus", capsule),
+                 fmt::format("contradicts elastic_law = \"{}\" of capsule {}, which has none; give \"{}\"",
+                             law, capsule, preset_modulus(law)));
+}
+
+/// Of the three forms of a spring, as many as `least` to one.
+void check_spring(CaseReader& reader, std::size_t capsule, const std::string& suffix, int least) {
+  const std::string table = "viscous.spring_";
+  int n_given = 0;
+  for (const char* form : {"stiffness", "relaxation_time", "modulus"}) {
+    if (reader.has(membrane_path(reader, table + form + suffix, capsule))) ++n_given;
+  }
+  if (n_given >= least && n_given <= 1) return;
+  // Where there is none to point at, the scheme asks for it.
+  const auto spring = membrane_path(reader, table + "stiffness" + suffix, capsule);
+  reader.problem(
+      n_given > 0 ? spring : membrane_path(reader, "viscous.scheme", capsule),
+      fmt::format("give {} one of spring_stiffness{}, spring_relaxation_time{}, spring_modulus{} ({} given)",
+                  least == 1 ? "exactly" : "at most", suffix, suffix, suffix, n_given));
+}
+
+void check_viscous(CaseReader& reader, const Case& the_case, std::size_t capsule) {
+  const auto& viscous = the_case.capsules[capsule].membrane.viscous;
+  check_spring(reader, capsule, "_dilatational", 0);
+  check_spring(reader, capsule, "", viscous.scheme == "none" ? 0 : 1);
+  // A modulus k_s' alone gives no relaxation time for the dilatational spring to take over.
+  const bool takes_over = !viscous.spring_stiffness_dilatational &&
+                          !viscous.spring_relaxation_time_dilatational &&
+                          !viscous.spring_modulus_dilatational;
+  if (viscous.scheme != "none" && viscous.boussinesq_shear == 0 && viscous.boussinesq_dilatational > 0 &&
+      viscous.spring_modulus && takes_over) {
+    reader.problem(membrane_path(reader, "viscous.spring_modulus", capsule),
+                   "is that of the shear spring, but boussinesq_shear is 0 and so is its relaxation time; "
+                   "give spring_modulus_dilatational, or spring_relaxation_time");
+  }
+}
+
+void check_capsule(CaseReader& reader, const Case& the_case, std::size_t number) {
+  const auto& capsule = the_case.capsules[number];
+  const auto own = fmt::format("capsule.{}.", number);
+  if (!capsule.mesh.file.empty() && !std::filesystem::is_regular_file(capsule.mesh.file)) {
+    reader.problem(own + "mesh.file", fmt::format("there is no file {}; a relative path starts at the case "
+                                                  "file's folder",
+                                                  capsule.mesh.file));
+  }
+  if (capsule.viscosity_ratio != 1.0) {
+    const auto ratio = own + "viscosity_ratio";
+    reader.problem(reader.has(ratio) ? ratio : "flow.viscosity_ratio",
+                   "only 1 can be run so far: which nodes are inside a capsule is not tracked yet");
+  }
+  check_modulus(reader, the_case, number);
+  check_viscous(reader, the_case, number);
+}
+
+void check_si(CaseReader& reader, const Case& the_case) {
+  if (!the_case.si) return;
+  const bool has_modulus = reader.has("si.shear_modulus_N_per_m");
+  const bool has_tension = reader.has("si.interfacial_tension_N_per_m");
+  if (has_modulus == has_tension) {
+    reader.problem("si.shear_modulus_N_per_m",
+                   fmt::format("give exactly one of shear_modulus_N_per_m (a capsule) and "
+                               "interfacial_tension_N_per_m (a droplet); {} given",
+                               has_modulus ? 2 : 0));
+    return;
+  }
+  for (std::size_t k = 0; k < the_case.capsules.size(); ++k) {
+    const auto& law = the_case.capsules[k].membrane.elastic_law;
+    const bool is_tension = law == "interfacial-tension";
+    if (is_tension == has_tension) continue;
+    reader.problem(has_tension ? "si.interfacial_tension_N_per_m" : "si.shear_modulus_N_per_m",
+                   fmt::format("contradicts elastic_law = \"{}\" of capsule {}; give {} in its place", law, k,
+                               is_tension ? "interfacial_tension_N_per_m" : "shear_modulus_N_per_m"));
+    return;
+  }
+}
+
+}  // namespace
+
+std::string membrane_path(const CaseReader& reader, const std::string& name, std::size_t capsule) {
+  const auto shared = "membrane." + name;
+  const auto own = fmt::format("capsule.{}.{}", capsule, shared);
+  return reader.has(own) || !reader.has(shared) ? own : shared;
+}
+
+std::string preset_modulus(const std::string& elastic_law) {
+  if (elastic_law == "skalak") return "E_s";
+  return elastic_law == "interfacial-tension" ? "gamma" : "G_s";
+}
+
+void check_presence(CaseReader& reader, const Case& the_case) {
+  if (reader.n_capsules() == 0) reader.problem("capsule", "is missing; give at least one [[capsule]]");
+  for (const auto& key : schema()) {
+    if (is_membrane_key(key)) {
+      check_membrane_objection(reader, key, the_case);
+    } else if (is_capsule_key(key)) {
+      for (std::size_t k = 0; k < the_case.capsules.size(); ++k) {
+        check_missing(reader, key, the_case, k);
+        check_objection(reader, key, the_case, k);
+      }
+    } else if (!key.path.starts_with("si.") || the_case.si) {
+      check_missing(reader, key, the_case, 0);
+      check_objection(reader, key, the_case, 0);
+    }
+  }
+}
+
+void check_consistency(CaseReader& reader, const Case& the_case) {
+  check_flow(reader, the_case);
+  check_si(reader, the_case);
+  for (std::size_t k = 0; k < the_case.capsules.size(); ++k) check_capsule(reader, the_case, k);
+}
+
+}  // namespace tanktread::driver

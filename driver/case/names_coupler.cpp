@@ -1,0 +1,16 @@
+#include "coupler/coupler.hpp"
+#include "driver/case/names.hpp"
+
+namespace tanktread::driver {
+
+std::vector<std::string> kernel_names() {
+  std::vector<std::string> names;
+  for (const auto& kernel : coupler::kernels()) names.push_back(kernel.name);
+  return names;
+}
+
+std::optional<double> kernel_half_width(const std::string& kernel) {
+  return coupler::kernel(kernel).half_width;
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,279 @@
+#include "driver/case/schema_keys.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "driver/case/names.hpp"
+#include "driver/case/schema_members.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+/// "none" and the schemes; a program that knows no schemes takes any name.
+std::vector<std::string> viscous_scheme_names() {
+  auto names = maxwell_scheme_names();
+  if (!names.empty()) names.insert(names.begin(), "none");
+  return names;
+}
+
+// Objections: why a key has no place in a case.
+
+std::string refuse_periodic(const Case& the_case, std::size_t) {
+  if (the_case.flow.kind != "periodic") return "";
+  return "has no meaning in a periodic box, which has no walls; give flow.shear_rate instead";
+}
+
+std::string refuse_wall_speed(const Case& the_case, std::size_t capsule) {
+  if (the_case.flow.kind == "periodic") return refuse_periodic(the_case, capsule);
+  if (!the_case.flow.reynolds_number) return "";
+  return "contradicts flow.reynolds_number, for one follows from the other; remove one of them";
+}
+
+std::string refuse_shear_rate(const Case& the_case, std::size_t) {
+  if (the_case.flow.kind == "periodic") return "";
+  return "follows from flow.reynolds_number or flow.wall_speed and is for kind = \"periodic\" only; remove "
+         "it";
+}
+
+std::string refuse_magic_parameter(const Case& the_case, std::size_t) {
+  if (the_case.flow.collision == "trt") return "";
+  return "contradicts collision = \"bgk\", which has one relaxation time; remove it, or use \"trt\"";
+}
+
+std::string refuse_shape(const Case& the_case, std::size_t capsule) {
+  if (the_case.capsules[capsule].mesh.file.empty()) return "";
+  return "contradicts mesh.file; remove one of them";
+}
+
+std::string refuse_no_file(const Case& the_case, std::size_t capsule) {
+  if (!the_case.capsules[capsule].mesh.file.empty()) return "";
+  return "is empty; give the path of a .vtu, or mesh.shape in its place";
+}
+
+std::string refuse_beside_si(const Case& the_case, std::size_t) {
+  if (!the_case.si) return "";
+  return "contradicts [si], from which it follows; remove one of them";
+}
+
+/// A parameter of some elastic laws only; a program that knows no laws leaves it.
+std::string refuse_unless_law_takes(const std::string& parameter, const Case& the_case, std::size_t capsule) {
+  const auto& law = the_case.capsules[capsule].membrane.elastic_law;
+  const auto takers = elastic_laws_with(parameter);
+  if (takers.empty() || std::ranges::find(takers, law) != takers.end()) return "";
+  return fmt::format("contradicts elastic_law = \"{}\", which has none (it is of {}); remove it", law,
+                     fmt::join(takers, ", "));
+}
+
+/// The meaning of a parameter, and the laws that take it (none are known without the membrane component).
+std::string with_laws(const std::string& meaning, const std::string& parameter) {
+  const auto takers = elastic_laws_with(parameter);
+  return takers.empty() ? meaning : fmt::format("{}, {} only", meaning, fmt::join(takers, " and "));
+}
+
+std::string refuse_area_ratio(const Case& the_case, std::size_t capsule) {
+  return refuse_unless_law_takes("area_ratio", the_case, capsule);
+}
+
+std::string refuse_poisson_ratio(const Case& the_case, std::size_t capsule) {
+  return refuse_unless_law_takes("poisson_ratio", the_case, capsule);
+}
+
+template <auto member>
+using InFlow = InCase<&Case::flow, member>;
+template <auto... members>
+using InMembrane = InCapsule<&CapsuleCase::membrane, members...>;
+template <auto member>
+using InViscous = InMembrane<&MembraneCase::viscous, member>;
+
+std::vector<Key> viscous_keys(const std::string& prefix) {
+  using V = ViscousCase;
+  return {
+      key<InViscous<&V::scheme>>(prefix + "scheme", "", "update of the Maxwell element; none: no viscosity")
+          .one_of(viscous_scheme_names()),
+      key<InViscous<&V::boussinesq_shear>>(prefix + "boussinesq_shear", "", "Bq_s = mu_s/(mu_o a)")
+          .from(0)
+          .unless(refuse_beside_si),
+      key<InViscous<&V::boussinesq_dilatational>>(prefix + "boussinesq_dilatational", "",
+                                                  "Bq_d = mu_d/(mu_o a)")
+          .from(0)
+          .unless(refuse_beside_si),
+      key<InViscous<&V::spring_stiffness>>(
+          prefix + "spring_stiffness", "",
+          "kappa = L k'/(U0 mu_s) of the artificial spring; exactly one of the three forms")
+          .above(0),
+      key<InViscous<&V::spring_relaxation_time>>(prefix + "spring_relaxation_time", "shear times",
+                                                 "tau g, tau = mu_s/k'; in place of spring_stiffness")
+          .above(0),
+      key<InViscous<&V::spring_modulus>>(prefix + "spring_modulus", "lattice",
+                                         "k'; in place of spring_stiffness")
+          .above(0),
+      key<InViscous<&V::spring_stiffness_dilatational>>(
+          prefix + "spring_stiffness_dilatational", "",
+          "kappa_d = L k_d'/(U0 mu_d); of the three forms none (then tau is that of the shear) or one")
+          .above(0),
+      key<InViscous<&V::spring_relaxation_time_dilatational>>(prefix + "spring_relaxation_time_dilatational",
+                                                              "shear times", "tau_d g, tau_d = mu_d/k_d'")
+          .above(0),
+      key<InViscous<&V::spring_modulus_dilatational>>(prefix + "spring_modulus_dilatational", "lattice",
+                                                      "k_d'")
+          .above(0),
+      key<InViscous<&V::interval>>(prefix + "interval", "steps",
+                                   "N, between two updates of the viscous stress")
+          .from(1),
+      key<InViscous<&V::strain_sampling>>(prefix + "strain_sampling", "",
+                                          "which strain enters an update when N > 1")
+          .one_of({"latest", "moving-average"}),
+      key<InViscous<&V::stress_measure>>(
+          prefix + "stress_measure", "",
+          "the rate that the viscous stress is of: D = F^-T (dE/dt) F^-1, or dE/dt")
+          .one_of({"rate-of-deformation", "rate-of-strain"}),
+  };
+}
+
+}  // namespace
+
+std::vector<Key> title_and_flow_keys() {
+  using F = FlowCase;
+  return {
+      key<InCase<&Case::title>>("title", "", "what the case is"),
+      key<InFlow<&F::kind>>("flow.kind", "",
+                            "walls that move with -+U0; walls at rest and a body force; no walls")
+          .one_of({"shear", "poiseuille", "periodic"}),
+      key<InFlow<&F::box>>("flow.box", "grid steps", "fluid nodes along x, y, z; node k sits at k + 1/2")
+          .from(4)
+          .required(),
+      axis_key<InFlow<&F::wall_axis>>("flow.wall_axis", "normal of the walls, at 0 and at the box's length"),
+      axis_key<InFlow<&F::flow_axis>>("flow.flow_axis", "direction of the flow"),
+      key<InFlow<&F::reynolds_number>>("flow.reynolds_number", "",
+                                       "Re = g a^2/nu, a of the first capsule; or wall_speed")
+          .above(0)
+          .unless(refuse_periodic),
+      key<InFlow<&F::wall_speed>>("flow.wall_speed", "lattice",
+                                  "U0 = g L/2 (poiseuille: undisturbed centre speed); or reynolds_number")
+          .above(0)
+          .unless(refuse_wall_speed),
+      key<InFlow<&F::shear_rate>>("flow.shear_rate", "lattice",
+                                  "g of a periodic box, where it sets the units only")
+          .above(0)
+          .unless(refuse_shear_rate),
+      key<InFlow<&F::relaxation_time>>("flow.relaxation_time", "steps", "tau+ = 1/2 + 3 nu").above(0.5),
+      key<InFlow<&F::collision>>("flow.collision", "", "two relaxation times, or one").one_of({"trt", "bgk"}),
+      key<InFlow<&F::magic_parameter>>("flow.magic_parameter", "",
+                                       "Lambda = (tau+ - 1/2)(tau- - 1/2), trt only")
+          .above(0)
+          .unless(refuse_magic_parameter),
+      key<InFlow<&F::viscosity_ratio>>("flow.viscosity_ratio", "", "lambda = mu_i/mu_o of all capsules")
+          .above(0),
+      key<InFlow<&F::start>>("flow.start", "", "fluid at rest, or the steady profile without capsules")
+          .one_of({"rest", "developed"}),
+      key<InFlow<&F::body_force>>("flow.body_force", "lattice", "force on each node, added"),
+      key<InFlow<&F::inertia>>("flow.inertia", "", "false: no quadratic terms (Stokes flow)"),
+      key<InFlow<&F::speed_limit>>("flow.speed_limit", "lattice", "a fluid that is as fast stops the run")
+          .above(0)
+          .preset("the less of 0.3 and 5 U0; 0.3 with body_force or in a periodic flow"),
+      key<InFlow<&F::command>>("flow.command", "",
+                               "a program in the place of the flow solver, and its arguments; []: none"),
+  };
+}
+
+std::vector<Key> capsule_keys() {
+  using C = CapsuleCase;
+  return {
+      key<InCapsule<&C::radius>>("capsule.N.radius", "grid steps",
+                                 "undeformed radius a (of the sphere of equal volume)")
+          .above(0)
+          .required(),
+      key<InCapsule<&C::position>>("capsule.N.position", "grid steps",
+                                   "centre; the box goes from 0 to flow.box")
+          .required(),
+      key<InCapsule<&C::mesh, &MeshCase::shape>>("capsule.N.mesh.shape", "", "shape made by the program")
+          .one_of({"sphere"})
+          .unless(refuse_shape),
+      key<InCapsule<&C::mesh, &MeshCase::level>>("capsule.N.mesh.level", "", "20 * 4^level triangles")
+          .from(0)
+          .to(8)
+          .unless(refuse_shape),
+      key<InCapsule<&C::mesh, &MeshCase::file>>(
+          "capsule.N.mesh.file", "",
+          "a closed surface (.vtu) instead, scaled to the radius by its volume; path from the case file")
+          .preset("")
+          .unless(refuse_no_file),
+      key<InCapsule<&C::viscosity_ratio>>("capsule.N.viscosity_ratio", "", "lambda of this capsule")
+          .above(0)
+          .preset("flow.viscosity_ratio"),
+  };
+}
+
+std::vector<Key> membrane_keys(const std::string& prefix) {
+  using M = MembraneCase;
+  std::vector<Key> keys = {
+      key<InMembrane<&M::elastic_law>>(prefix + "elastic_law", "", "the membrane's law")
+          .one_of(elastic_law_names()),
+      key<InMembrane<&M::capillary_number>>(prefix + "capillary_number", "",
+                                            "Ca = mu_o g a/modulus, a of each capsule; or [si]")
+          .above(0)
+          .required()
+          .unless(refuse_beside_si),
+      key<InMembrane<&M::capillary_modulus>>(prefix + "capillary_modulus", "",
+                                             "the modulus in Ca: E_s = 2 G_s or G_s (all with shear "
+                                             "elasticity), gamma (interfacial-tension)")
+          .one_of({"E_s", "G_s", "gamma"})
+          .preset("by the law")
+          .unless(refuse_beside_si),
+      key<InMembrane<&M::area_ratio>>(prefix + "area_ratio", "", with_laws("C = E_a/E_s", "area_ratio"))
+          .from(0)
+          .unless(refuse_area_ratio),
+      key<InMembrane<&M::poisson_ratio>>(prefix + "poisson_ratio", "", with_laws("nu_s", "poisson_ratio"))
+          .above(-1)
+          .below(1)
+          .unless(refuse_poisson_ratio),
+      key<InMembrane<&M::command>>(
+          prefix + "command", "",
+          "a program in the place of the membrane's laws, and its arguments; []: none"),
+  };
+  const auto viscous = viscous_keys(prefix + "viscous.");
+  keys.insert(keys.end(), viscous.begin(), viscous.end());
+  return keys;
+}
+
+std::vector<Key> coupler_run_output_keys() {
+  using O = OutputCase;
+  return {
+      key<InCase<&Case::coupler, &CouplerCase::kernel>>("coupler.kernel", "", "discrete delta")
+          .one_of(kernel_names()),
+      key<InCase<&Case::coupler, &CouplerCase::tangential_correction>>(
+          "coupler.tangential_correction", "",
+          "gives nodes back the velocity that smoothing takes off them along the membrane"),
+      key<InCase<&Case::run, &RunCase::shear_time>>("run.shear_time", "shear times", "end of the run")
+          .from(0),
+      key<InCase<&Case::run, &RunCase::threads>>("run.threads", "", "OpenMP threads; 0: all")
+          .from(0)
+          .to(1024),
+      key<InCase<&Case::run, &RunCase::checkpoint_every>>("run.checkpoint_every", "shear times",
+                                                          "between checkpoints; the last two are kept")
+          .above(0),
+      key<InCase<&Case::run, &RunCase::command_time_limit>>(
+          "run.command_time_limit", "s", "of a program for an answer; after it the run stops")
+          .above(0),
+      key<InCase<&Case::run, &RunCase::command_directory>>(
+          "run.command_directory", "",
+          "where packets for programs go; path from the case file; \"\": in memory, removed at the end"),
+      key<InCase<&Case::output, &O::observables_every>>("output.observables_every", "shear times",
+                                                        "between rows of observables.csv; 0: never")
+          .from(0),
+      key<InCase<&Case::output, &O::membrane_every>>("output.membrane_every", "shear times",
+                                                     "between membrane files; 0: never")
+          .from(0),
+      key<InCase<&Case::output, &O::fluid_every>>("output.fluid_every", "shear times",
+                                                  "between fluid files; 0: never")
+          .from(0),
+      key<InCase<&Case::output, &O::fluid_box>>(
+          "output.fluid_box", "nodes",
+          "[[x0, x1], [y0, y1], [z0, z1]]: first and last node of fluid files (a slice: x0 = x1)")
+          .from(0)
+          .preset("the whole box"),
+  };
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,16 @@
+// Two series (.pvd) compared: which files they name, and at which times.
+#pragma once
+
+#include <vector>
+
+#include "driver/diff/difference_report.hpp"
+#include "exchange/vtk_files.hpp"
+
+namespace tanktread::driver {
+
+/// Adds the names and times of two series to the report; the files themselves are not looked at. Entries
+/// belong together by the names of their files.
+void compare_series(const std::vector<exchange::SeriesEntry>& a, const std::vector<exchange::SeriesEntry>& b,
+                    DifferenceReport& report);
+
+}  // namespace tanktread::driver

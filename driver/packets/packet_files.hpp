@@ -1,0 +1,68 @@
+// The packets of a step as VTK files: .vtu for what lives on capsules, .vti for what lives on the grid.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "driver/packets/packets.hpp"
+#include "exchange/packet.hpp"
+
+namespace tanktread::driver {
+
+/// Version of the arrays and their meaning; a file of a later one is refused.
+inline constexpr double schema_version = 1;
+
+/// Number of nodes of the grid along x, y, z.
+using Box = std::array<int, 3>;
+
+/// All capsules as one surface: their nodes one after the other, cell data `capsule` with the number of the
+/// capsule of each triangle, field data `step` and `schema_version`.
+exchange::SurfacePacket surface_file(const Surfaces& surfaces, std::int64_t step);
+
+/// Adds vectors on the nodes as point data.
+void add_vectors(exchange::SurfacePacket& file, const std::string& name, const NodeVectors& vectors);
+
+/// The capsules of a surface: those of its cell data `capsule`, or one without that.
+/// @param name of the file, for messages
+/// @throws exchange::FileError if nodes or triangles of a capsule do not lie together, in the order of the
+/// capsules; for a later schema version
+Surfaces surfaces_of(const exchange::SurfacePacket& file, const std::string& name);
+
+/// Vectors on the nodes of those surfaces. @throws exchange::FileError if the array is missing or has not
+/// three components
+NodeVectors vectors_of(const exchange::SurfacePacket& file, const std::string& array,
+                       const Surfaces& surfaces, const std::string& name);
+
+/// @throws exchange::FileError unless there are as many capsules as in `like`, of as many nodes each
+void check_sizes(const NodeVectors& vectors, const NodeVectors& like, const std::string& name);
+
+/// Point data of a grid that says where the vectors of a packet are: 1 there, else 0.
+inline constexpr const char* touched_array = "touched";
+
+/// Vectors on some nodes as an array on the whole grid, zero elsewhere; point data `touched` says 1 where the
+/// vectors are.
+exchange::GridPacket grid_file(const GridVectors& vectors, const std::string& array, const Box& box,
+                               std::int64_t step);
+
+/// @throws exchange::FileError if the grid is not the box: a whole one, its first node at 1/2, 1/2, 1/2
+void check_grid(const exchange::GridPacket& file, const Box& box, const std::string& name);
+
+/// The vectors on the nodes where `touched` is not zero, on all nodes without that array.
+/// @throws exchange::FileError if the grid is not the box (a whole one: its first node at 1/2, 1/2, 1/2), the
+/// array is missing or has not three components; for a later schema version
+GridVectors grid_vectors_of(const exchange::GridPacket& file, const std::string& array, const Box& box,
+                            const std::string& name);
+
+/// Field data step and schema_version, which every packet begins with.
+std::vector<exchange::Array> packet_header(std::int64_t step);
+
+/// The step of a file; 0 without the array `step`. @throws exchange::FileError if it is not a whole number
+std::int64_t step_of(const std::vector<exchange::Array>& field_data, const std::string& name);
+
+/// @throws exchange::FileError for a later schema version than this program's; a file without one passes:
+/// programs from outside cannot write it
+void check_schema_version(const std::vector<exchange::Array>& field_data, const std::string& name);
+
+}  // namespace tanktread::driver

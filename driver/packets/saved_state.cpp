@@ -1,0 +1,75 @@
+#include "driver/packets/saved_state.hpp"
+
+#include <fmt/format.h>
+
+#include "driver/packets/packet_files.hpp"
+#include "exchange/vtk_files.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+void read_membranes(const std::filesystem::path& file, SavedState& state) {
+  const auto content = exchange::read_surface(file);
+  const auto name = file.string();
+  auto surfaces = surfaces_of(content, name);
+  const auto references = vectors_of(content, "reference_position", surfaces, name);
+  for (std::size_t k = 0; k < references.size(); ++k) {
+    state.references.push_back({references[k], surfaces.triangles[k]});
+    state.membranes.push_back(membrane_state_of(content, k, name));
+  }
+  state.node_velocity = vectors_of(content, "velocity", surfaces, name);
+  state.node_force = vectors_of(content, "total_force", surfaces, name);
+  state.positions = std::move(surfaces.positions);
+  if (step_of(content.field_data, name) != state.step) {
+    throw exchange::FileError(fmt::format("{}: of step {}, the fluid beside it of step {}", name,
+                                          step_of(content.field_data, name), state.step));
+  }
+}
+
+std::vector<exchange::Array> program_arrays_of(const exchange::SurfacePacket& file,
+                                               const std::string& prefix) {
+  std::vector<exchange::Array> arrays;
+  for (const auto& array : file.field_data) {
+    if (array.name.starts_with(prefix))
+      arrays.push_back({array.name.substr(prefix.size()), array.components, array.values});
+  }
+  return arrays;
+}
+
+}  // namespace
+
+SavedState read_state(const std::filesystem::path& folder) {
+  SavedState state;
+  state.folder = folder;
+  const auto fluid = folder / fluid_state_file;
+  state.fluid = state_of(exchange::read_grid(fluid), fluid.string());
+  state.step = state.fluid.step;
+  read_membranes(folder / membrane_state_file, state);
+  return state;
+}
+
+fluid::State state_of(exchange::GridPacket file, const std::string& name) {
+  check_schema_version(file.field_data, name);
+  fluid::State state;
+  state.step = step_of(file.field_data, name);
+  for (auto& array : file.point_data)
+    state.arrays.push_back({array.name, array.components, std::move(array.values)});
+  return state;
+}
+
+std::string history_name(std::size_t capsule) {
+  return fmt::format("history_{}", capsule);
+}
+
+std::string program_prefix(std::size_t capsule, const char* kind) {
+  return fmt::format("program_{}_{}_", capsule, kind);
+}
+
+MembraneState membrane_state_of(const exchange::SurfacePacket& file, std::size_t capsule,
+                                const std::string& name) {
+  return {exchange::find_array(file.field_data, history_name(capsule), name).values,
+          {program_arrays_of(file, program_prefix(capsule, "point")),
+           program_arrays_of(file, program_prefix(capsule, "cell"))}};
+}
+
+}  // namespace tanktread::driver

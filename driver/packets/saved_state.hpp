@@ -1,0 +1,48 @@
+// The whole state of a case between two steps, read from a folder of two files. It takes no component to read
+// one.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "driver/packets/membrane_state.hpp"
+#include "driver/packets/packets.hpp"
+#include "exchange/packet.hpp"
+#include "fluid/fluid.hpp"
+#include "membrane/mesh.hpp"
+
+namespace tanktread::driver {
+
+/// The files in such a folder: the solver's arrays (state_file, fluid_files.hpp), and all membranes with what
+/// they need to go on (membrane_file, add_state, membrane_files.hpp).
+inline constexpr const char* fluid_state_file = "fluid.vti";
+inline constexpr const char* membrane_state_file = "membrane.vtu";
+
+/// A state, read back.
+struct SavedState {
+  std::filesystem::path folder;
+  std::int64_t step = 0;
+  std::vector<membrane::TriangleMesh> references;  ///< the stress-free mesh of each capsule
+  NodeVectors positions, node_velocity, node_force;
+  std::vector<MembraneState> membranes;
+  fluid::State fluid;
+};
+
+/// @throws exchange::FileError
+SavedState read_state(const std::filesystem::path& folder);
+
+/// The state of a solver from its file (state_file). @param name of the file, for messages
+/// @throws exchange::FileError for a later schema version
+fluid::State state_of(exchange::GridPacket file, const std::string& name);
+
+/// The array of field data that holds the history of a capsule: history_0, history_1 ...
+std::string history_name(std::size_t capsule);
+/// What the names of a program's arrays begin with, in the field data of a state: program_0_point_ ...
+/// @param kind "point" | "cell"
+std::string program_prefix(std::size_t capsule, const char* kind);
+/// The state of one capsule's membrane. @throws exchange::FileError if its history is missing
+MembraneState membrane_state_of(const exchange::SurfacePacket& file, std::size_t capsule,
+                                const std::string& name);
+
+}  // namespace tanktread::driver

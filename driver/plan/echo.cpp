@@ -1,0 +1,136 @@
+#include "driver/plan/echo.hpp"
+
+#include <fmt/format.h>
+
+#include "driver/case/case_programs.hpp"
+#include "driver/plan/echo_capsule.hpp"
+#include "driver/run/progress.hpp"
+#include "driver/units/schedule.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+std::string kind_note(const FlowCase& flow) {
+  const char wall = "xyz"[flow.wall_axis], along = "xyz"[flow.flow_axis];
+  if (flow.kind == "shear") return fmt::format("walls across {} move with -+U0 along {}", wall, along);
+  if (flow.kind == "poiseuille") return fmt::format("walls across {}, body force along {}", wall, along);
+  return "no walls";
+}
+
+void put_flow(EchoTable& table, const Subject& subject) {
+  const auto& flow = subject.the_case.flow;
+  const auto& p = subject.parameters;
+  const double n_nodes = static_cast<double>(flow.box[0]) * flow.box[1] * flow.box[2];
+  table.section("flow");
+  table.row("kind", flow.kind, "", kind_note(flow));
+  table.row("program", short_text(flow.command), "", "", !flow.command.empty());
+  table.row("start", flow.start, "", flow.inertia ? "" : "no inertia: Stokes flow");
+  table.row("box", fmt::format("{} x {} x {}", flow.box[0], flow.box[1], flow.box[2]), "",
+            fmt::format("{:.3g} million nodes", 1e-6 * n_nodes));
+  table.row("grid step", "1", in_si(subject, 1, metre, "m"), "radius_m / radius", subject.si.has_value());
+  table.row("time step", "1", in_si(subject, 1, second, "s"), "g / shear_rate_per_s", subject.si.has_value());
+  table.row("force unit", "1", in_si(subject, 1, newton, "N"), "viscosity_Pa_s / nu dx^2 / dt",
+            subject.si.has_value());
+  table.row("wall speed U0", number(p.wall_speed), in_si(subject, p.wall_speed, metre_per_second, "m/s"),
+            flow.kind == "poiseuille" ? "g L/2, undisturbed centre speed" : "g L/2", flow.kind != "periodic");
+  table.row("shear rate g", number(p.shear_rate), in_si(subject, p.shear_rate, per_second, "1/s"),
+            flow.kind == "periodic" ? "as given" : "2 U0/L");
+  const auto& force = p.body_force;
+  const bool has_force = force != std::array<double, 3>{0, 0, 0};
+  for (int axis = 0; axis < 3; ++axis) {
+    table.row(
+        fmt::format("body force {}", "xyz"[axis]), number(force[axis]),
+        in_si(subject, force[axis], newton, "N"),
+        flow.kind == "poiseuille" && axis == flow.flow_axis ? "a node; 8 nu U0/L^2 + body_force" : "a node",
+        has_force && force[axis] != 0);
+  }
+  table.row("relaxation time tau+", number(p.relaxation_time), "", "1/2 + 3 nu");
+  table.row("relaxation time tau-", number(p.relaxation_time_odd), "",
+            flow.collision == "bgk" ? "bgk: tau+" : "1/2 + Lambda/(tau+ - 1/2)");
+  table.row("magic parameter Lambda", number(flow.magic_parameter), "", "(tau+ - 1/2)(tau- - 1/2)",
+            flow.collision == "trt");
+  table.row("viscosity mu_o = nu", number(p.kinematic_viscosity),
+            in_si(subject, p.kinematic_viscosity, pascal_second, "Pa s"), "(tau+ - 1/2)/3, density 1");
+  table.row("Reynolds number Re", number(p.reynolds_number), "", "g a^2/nu, a of capsule 0");
+  table.row("speed limit", number(p.speed_limit), in_si(subject, p.speed_limit, metre_per_second, "m/s"),
+            "a fluid that is as fast stops the run");
+  table.row("Mach number", fmt::format("{:.4g}", p.mach_number), "",
+            flow.kind == "periodic" ? "g a sqrt(3)" : "U0 sqrt(3)");
+}
+
+/// Which Reynolds number the physical values have, and how far the run is from it.
+void put_override(EchoTable& table, const Subject& subject) {
+  if (!subject.si) return;
+  const auto run = si_of(subject.the_case, subject.parameters, *subject.si);
+  table.section("from [si]");
+  table.row("density", "1", fmt::format("{:.5g} kg/m^3", run.density_kg_per_m3),
+            fmt::format("given: {:.5g} kg/m^3", subject.the_case.si->density_kg_per_m3));
+  table.row("physical Re", fmt::format("{:.6g}", subject.si->reynolds_number_physical), "",
+            fmt::format("the run has {:.4g} times that",
+                        subject.parameters.reynolds_number / subject.si->reynolds_number_physical));
+}
+
+void put_schedule(EchoTable& table, const Subject& subject, const std::string& name, double every) {
+  const auto& p = subject.parameters;
+  const auto n_steps = steps_of(subject.the_case.run.shear_time, p);
+  const auto interval = schedule_of(every, p).interval;
+  if (interval == 0) {
+    table.row(name, "never");
+    return;
+  }
+  // Step 0, each that is due, and the last.
+  const auto n_written = 1 + n_steps / interval + (n_steps % interval == 0 ? 0 : 1);
+  table.row(name, fmt::format("{}", n_written), in_si(subject, static_cast<double>(interval), second, "s"),
+            fmt::format("times, every {} steps", interval));
+}
+
+void put_run(EchoTable& table, const Subject& subject) {
+  const auto& the_case = subject.the_case;
+  const auto& p = subject.parameters;
+  const auto n_steps = steps_of(the_case.run.shear_time, p);
+  table.section("run");
+  table.row("kernel", the_case.coupler.kernel, "",
+            the_case.coupler.tangential_correction ? "with the tangential correction" : "");
+  table.row("steps a shear time", fmt::format("{:.1f}", p.steps_per_shear_time),
+            in_si(subject, p.steps_per_shear_time, second, "s"), "1/g");
+  table.row("steps", fmt::format("{}", n_steps), in_si(subject, static_cast<double>(n_steps), second, "s"),
+            fmt::format("to shear time {:.6g}", the_case.run.shear_time));
+  put_schedule(table, subject, "observables", the_case.output.observables_every);
+  put_schedule(table, subject, "membrane files", the_case.output.membrane_every);
+  put_schedule(table, subject, "fluid files", the_case.output.fluid_every);
+  put_schedule(table, subject, "checkpoints", the_case.run.checkpoint_every);
+}
+
+std::string bytes_text(double bytes) {
+  return bytes >= 1e9 ? fmt::format("{:.2f} GB", 1e-9 * bytes) : fmt::format("{:.1f} MB", 1e-6 * bytes);
+}
+
+void put_cost(EchoTable& table, const Cost& cost, bool with_program) {
+  table.section("cost");
+  table.row("memory", bytes_text(cost.memory_bytes), "", "about", cost.memory_bytes > 0);
+  table.row("disk", bytes_text(cost.disk_bytes), "", "about, with two checkpoints", cost.disk_bytes > 0);
+  table.row("run time", cost.mlups > 0 ? duration_text(cost.run_seconds) : "not measured", "",
+            cost.mlups > 0 ? fmt::format("{:.1f} MLUPS, measured now", cost.mlups)
+            : with_program ? "a program has its own time: the run will tell"
+                           : "");
+}
+
+}  // namespace
+
+std::string echo(const Case& the_case, const Parameters& parameters, const Cost& cost,
+                 const std::vector<std::string>& warnings, const std::vector<double>& mean_edges) {
+  const Subject subject{the_case, parameters, si_scales(the_case, parameters)};
+  EchoTable table(subject.si.has_value());
+  table.title(the_case.title);
+  put_flow(table, subject);
+  put_override(table, subject);
+  for (std::size_t k = 0; k < the_case.capsules.size(); ++k) {
+    put_capsule(table, subject, k, k < mean_edges.size() ? mean_edges[k] : 0.0);
+  }
+  put_run(table, subject);
+  put_cost(table, cost, has_program(the_case));
+  for (const auto& warning : warnings) table.paragraph("warning: " + warning);
+  return table.text();
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,25 @@
+// The echo of a case: what follows from it, as text for a person.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "driver/units/units.hpp"
+
+namespace tanktread::driver {
+
+/// What a run costs, from the parameters and a measured speed.
+struct Cost {
+  double mlups = 0;  ///< million node updates a second; 0: not measured
+  double run_seconds = 0;
+  double memory_bytes = 0;
+  double disk_bytes = 0;
+};
+
+/// The echo: aligned text in sections, at most 100 columns wide (the title apart): one line a number, with
+/// its SI value if the case has [si], and formula; it ends with the cost and the warnings.
+/// @param mean_edges mean mesh edge of each capsule, grid steps; empty: not known yet, and left out
+std::string echo(const Case& the_case, const Parameters& parameters, const Cost& cost,
+                 const std::vector<std::string>& warnings, const std::vector<double>& mean_edges = {});
+
+}  // namespace tanktread::driver

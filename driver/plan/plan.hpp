@@ -1,0 +1,29 @@
+// What a case will be and cost, said before it runs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "driver/case/case.hpp"
+#include "driver/plan/echo.hpp"
+#include "driver/units/units.hpp"
+#include "membrane/mesh.hpp"
+
+namespace tanktread::driver {
+
+/// A case with all that follows from it: what `plan` prints and `run` starts from.
+struct Plan {
+  Case the_case;
+  Parameters parameters;
+  std::vector<membrane::TriangleMesh> meshes;
+  Cost cost;
+  std::string echo;  ///< the text for the user
+};
+
+/// Works a case out. Its speed on this machine is measured by a probe: the case itself, for about a second,
+/// or a tenth of the run if that is less.
+/// @param meshes the reference meshes if they are known (a resumed run), else they are made
+/// @throws InputError
+Plan make_plan(const Case& the_case, std::vector<membrane::TriangleMesh> meshes = {});
+
+}  // namespace tanktread::driver

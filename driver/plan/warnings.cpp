@@ -1,0 +1,201 @@
+#include "driver/plan/warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "coupler/coupler.hpp"
+#include "driver/case/case_geometry.hpp"
+#include "driver/units/schedule.hpp"
+#include "driver/units/stability.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+void warn_of_flow(Lines& lines, const Case& the_case, const Parameters& p) {
+  const auto& flow = the_case.flow;
+  const std::string speed_keys =
+      flow.kind == "periodic" ? "flow.shear_rate" : "flow.reynolds_number or flow.wall_speed";
+  if (p.mach_number > 0.1) {
+    lines.push_back(
+        fmt::format("Mach number {:.3g} is over 0.1: the fluid is compressed noticeably; lower {}",
+                    p.mach_number, speed_keys));
+  }
+  if (p.wall_speed >= p.speed_limit) {
+    lines.push_back(
+        fmt::format("wall speed {:.3g} is not below the speed limit {:.3g} that stops the run; "
+                    "lower {}, or raise flow.speed_limit",
+                    p.wall_speed, p.speed_limit, speed_keys));
+  }
+  if (p.relaxation_time < 0.55) {
+    lines.push_back(
+        fmt::format("tau+ = {:.4g} is below 0.55: little is left to the limit of stability at 0.5; "
+                    "raise flow.relaxation_time",
+                    p.relaxation_time));
+  }
+  if (p.relaxation_time > 2.0) {
+    lines.push_back(
+        fmt::format("tau+ = {:.4g} is over 2: discretisation errors grow with it; lower flow.relaxation_time",
+                    p.relaxation_time));
+  }
+  if (p.reynolds_number > 1.0 && flow.inertia) {
+    lines.push_back(
+        fmt::format("Reynolds number {:.3g} is over 1: inertia deforms a capsule too, results are "
+                    "not those of Stokes flow; lower {}, or set flow.inertia = false",
+                    p.reynolds_number, speed_keys));
+  }
+}
+
+void warn_of_gaps(Lines& lines, std::size_t number, const Case& the_case) {
+  const auto& capsule = the_case.capsules[number];
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool is_wall = has_walls(the_case, axis);
+    const double gap = gap_along(the_case, capsule, axis);
+    if (gap >= capsule.radius) continue;
+    lines.push_back(
+        fmt::format("capsule {} is {:.3g} radii from {} along {}, less than 1: it will feel it; "
+                    "enlarge flow.box{}",
+                    number, gap / capsule.radius, is_wall ? "the wall" : "its periodic image", "xyz"[axis],
+                    is_wall ? fmt::format(" or move capsule.{}.position", number) : ""));
+  }
+}
+
+void warn_of_neighbours(Lines& lines, std::size_t number, const Case& the_case) {
+  const auto& kernel = coupler::kernel(the_case.coupler.kernel);
+  for (std::size_t other = 0; other < number; ++other) {
+    const auto &a = the_case.capsules[other], &b = the_case.capsules[number];
+    const double gap = distance_between(the_case, a, b) - a.radius - b.radius;
+    if (gap >= 2 * kernel.half_width) continue;
+    lines.push_back(
+        fmt::format("capsules {} and {} are {:.3g} grid steps apart, less than the width {:g} of "
+                    "kernel {}: the fluid between them is not resolved; change capsule.{}.position",
+                    other, number, gap, 2 * kernel.half_width, kernel.name, number));
+  }
+}
+
+void warn_of_membrane(Lines& lines, std::size_t number, const Case& the_case,
+                      const std::vector<double>& mean_edges) {
+  const auto& capsule = the_case.capsules[number];
+  if (number < mean_edges.size() && (mean_edges[number] < 0.5 || mean_edges[number] > 2.0)) {
+    const bool is_fine = mean_edges[number] < 0.5;
+    const auto fix = !capsule.mesh.file.empty()
+                         ? fmt::format("use a {} capsule.{}.mesh.file", is_fine ? "coarser" : "finer", number)
+                         : fmt::format("{} capsule.{}.mesh.level", is_fine ? "lower" : "raise", number);
+    lines.push_back(fmt::format(
+        "capsule {}: the mean mesh edge is {:.3g} grid steps, outside 0.5 to 2: {}; {}", number,
+        mean_edges[number], is_fine ? "work for no gain" : "the fluid leaks between the nodes", fix));
+  }
+}
+
+/// A part of a membrane viscosity and its artificial spring.
+struct ViscousPart {
+  const char* letter;
+  const char* suffix;  ///< of its keys
+  double viscosity, spring;
+};
+
+std::array<ViscousPart, 2> parts_of(const membrane::ViscousParameters& viscous) {
+  return {{{"s", "", viscous.shear_viscosity, viscous.shear_spring},
+           {"d", "_dilatational", viscous.dilatational_viscosity, viscous.dilatational_spring}}};
+}
+
+/// An element relaxes within 2 tau, tau = mu/k'; an interval of half of that is the longest that a scheme
+/// follows well.
+void warn_of_interval(Lines& lines, std::size_t number, int interval, const ViscousPart& part) {
+  if (interval * part.spring <= part.viscosity) return;
+  lines.push_back(
+      fmt::format("capsule {}: the interval of {} steps is longer than tau_{} = {:.3g} steps, half the "
+                  "relaxation time of the element; lower membrane.viscous.interval or the spring's stiffness",
+                  number, interval, part.letter, part.viscosity / part.spring));
+}
+
+void warn_of_stability(Lines& lines, std::size_t number, int interval, const ViscousPart& part,
+                       double outer_viscosity, bool tangential_correction) {
+  const double in_viscosities = stable_interval_times_spring(tangential_correction);
+  const double limit = in_viscosities * outer_viscosity;
+  if (interval * part.spring <= limit) return;
+  const double ratio = limit / (interval * part.spring);
+  lines.push_back(fmt::format(
+      "capsule {}: N k_{}' = {:.3g} is over {:.3g} = {} mu_o, beyond which runs break down or may: divide "
+      "the stiffness of the spring (membrane.viscous.spring_...{}), the interval, or the speed of the flow "
+      "by "
+      "{:.3g}{}",
+      number, part.letter, interval * part.spring, limit, in_viscosities, part.suffix, 1 / ratio,
+      tangential_correction ? ", or leave out coupler.tangential_correction" : ""));
+}
+
+void warn_of_viscosity(Lines& lines, std::size_t number, const Case& the_case, const Parameters& p) {
+  const auto& viscous = the_case.capsules[number].membrane.viscous;
+  if (!the_case.capsules[number].membrane.command.empty()) {
+    if (viscous == ViscousCase()) return;
+    lines.push_back(
+        fmt::format("capsule {}: membrane.command takes the place of the viscous law too, and "
+                    "membrane.viscous has no effect; remove it",
+                    number));
+    return;
+  }
+  if (viscous.scheme == "none") {
+    if (viscous == ViscousCase()) return;
+    lines.push_back(
+        fmt::format("capsule {}: a membrane viscosity is given, but viscous.scheme = \"none\" leaves "
+                    "it out; set membrane.viscous.scheme",
+                    number));
+    return;
+  }
+  if (!p.capsules[number].viscous) {
+    lines.push_back(
+        fmt::format("capsule {}: viscous.scheme = \"{}\", but both Boussinesq numbers are 0; set "
+                    "membrane.viscous.boussinesq_shear or boussinesq_dilatational",
+                    number, viscous.scheme));
+    return;
+  }
+  const auto& law = *p.capsules[number].viscous;
+  for (const auto& part : parts_of(law)) {
+    if (part.viscosity == 0) continue;
+    warn_of_interval(lines, number, law.interval, part);
+    warn_of_stability(lines, number, law.interval, part, p.kinematic_viscosity,
+                      the_case.coupler.tangential_correction);
+  }
+}
+
+/// Intervals become whole steps; a change of over 1 % will be seen in a plot.
+void warn_of_rounding(Lines& lines, const Case& the_case, const Parameters& p) {
+  constexpr double noticeable = 0.01;
+  const std::pair<const char*, double> intervals[] = {
+      {"output.observables_every", the_case.output.observables_every},
+      {"output.membrane_every", the_case.output.membrane_every},
+      {"output.fluid_every", the_case.output.fluid_every},
+      {"run.checkpoint_every", the_case.run.checkpoint_every}};
+  for (const auto& [key, every] : intervals) {
+    const double wanted = every * p.steps_per_shear_time;
+    const auto interval = static_cast<double>(schedule_of(every, p).interval);
+    if (every == 0 || std::abs(interval - wanted) <= noticeable * wanted) continue;
+    lines.push_back(
+        fmt::format("{} = {:.6g} shear times is {:.4g} steps, rounded to {:.0f}; set it to {:.6g}", key,
+                    every, wanted, interval, interval / p.steps_per_shear_time));
+  }
+  if (steps_of(the_case.run.shear_time, p) == 0) {
+    lines.push_back("run.shear_time is less than half a time step: nothing will be run; raise it");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> warnings(const Case& the_case, const Parameters& parameters,
+                                  const std::vector<double>& mean_edges) {
+  Lines lines;
+  warn_of_flow(lines, the_case, parameters);
+  for (std::size_t k = 0; k < the_case.capsules.size(); ++k) {
+    warn_of_membrane(lines, k, the_case, mean_edges);
+    warn_of_viscosity(lines, k, the_case, parameters);
+    warn_of_gaps(lines, k, the_case);
+    warn_of_neighbours(lines, k, the_case);
+  }
+  warn_of_rounding(lines, the_case, parameters);
+  return lines;
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,102 @@
+#include "driver/program/output_directory.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "driver/case/case.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+constexpr const char* lock_name = ".lock";
+
+bool holds_anything(const std::filesystem::path& directory) {
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+    if (entry.path().filename() != lock_name) return true;
+  }
+  return false;
+}
+
+bool is_temporary(const std::filesystem::path& file) {
+  const auto name = file.filename().string();
+  return name.starts_with(".") && name.ends_with(".tmp");
+}
+
+}  // namespace
+
+DirectoryLock::DirectoryLock(const std::filesystem::path& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  descriptor_ = open((directory / lock_name).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
+  if (error || descriptor_ < 0) {
+    throw InputError(fmt::format("{}: the directory cannot be written: {}; choose another",
+                                 directory.string(), error ? error.message() : std::strerror(errno)));
+  }
+  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+    close(descriptor_);
+    throw InputError(
+        fmt::format("{}: another tanktread process is at work in it; wait for it, stop it, or choose "
+                    "another directory",
+                    directory.string()));
+  }
+}
+
+DirectoryLock::~DirectoryLock() {
+  close(descriptor_);
+}
+
+void require_new_directory(const std::string& option, const std::filesystem::path& directory) {
+  if (!std::filesystem::exists(directory)) return;
+  const bool is_directory = std::filesystem::is_directory(directory);
+  if (is_directory && !holds_anything(directory)) return;
+  throw InputError(fmt::format("{} {}: {}; give a new or an empty directory", option, directory.string(),
+                               is_directory ? "holds something already" : "is no directory"));
+}
+
+void check_output_directory(const std::filesystem::path& directory, bool force) {
+  if (!std::filesystem::exists(directory)) return;
+  if (!std::filesystem::is_directory(directory)) {
+    throw InputError(fmt::format("--output {}: is a file; choose a directory", directory.string()));
+  }
+  if (!holds_anything(directory)) return;
+  if (!force) {
+    throw InputError(
+        fmt::format("--output {}: the directory is not empty and is never overwritten by itself; "
+                    "choose another, add --force to remove the earlier run, or go on from it with "
+                    "--resume {}",
+                    directory.string(), directory.string()));
+  }
+  if (!std::filesystem::exists(directory / "echo.toml")) {
+    throw InputError(
+        fmt::format("--output {}: --force removes an earlier run only, and there is none (no "
+                    "echo.toml); choose another directory",
+                    directory.string()));
+  }
+}
+
+void remove_earlier_run(const std::filesystem::path& directory) {
+  // echo.toml last: until it goes, the directory is known for what it is.
+  for (const char* name :
+       {"checkpoints", "packets", "fluid", "fluid.pvd", "membrane", "membrane.pvd", "deformation.png",
+        "inclination.png", "capsule.png", "observables.csv", "parameters.toml", "echo.toml"}) {
+    std::filesystem::remove_all(directory / name);
+  }
+}
+
+void remove_temporary_files(const std::filesystem::path& directory) {
+  for (const auto& place : {directory, directory / "checkpoints"}) {
+    if (!std::filesystem::is_directory(place)) continue;
+    std::vector<std::filesystem::path> left;
+    for (const auto& entry : std::filesystem::directory_iterator(place)) {
+      if (is_temporary(entry.path())) left.push_back(entry.path());
+    }
+    for (const auto& path : left) std::filesystem::remove_all(path);
+  }
+}
+
+}  // namespace tanktread::driver

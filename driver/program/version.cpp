@@ -1,0 +1,10 @@
+#include "driver/program/version.hpp"
+
+#include "driver/commit.hpp"
+
+namespace tanktread::driver {
+
+const char* const version = TANKTREAD_VERSION;
+const char* const commit = TANKTREAD_COMMIT;
+
+}  // namespace tanktread::driver

@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "driver/program/commands.hpp"
+#include "driver/program/output_directory.hpp"
+#include "driver/run/run.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+struct RunArguments {
+  std::string case_file, output, resume;
+  std::vector<std::string> assignments;
+  bool force = false;
+  double shear_time = 0;
+  int threads = 0;
+  PacketOptions packets;
+};
+
+/// The folder that holds the case gives the output its name; a file of another name than case.toml gives its
+/// own.
+std::filesystem::path default_output(const std::filesystem::path& case_file) {
+  const auto stem = case_file.stem();
+  if (stem != "case") return std::filesystem::path("output") / stem;
+  return std::filesystem::path("output") / std::filesystem::absolute(case_file).parent_path().filename();
+}
+
+int run_case(const RunArguments& arguments) {
+  RunOptions options;
+  options.output = arguments.output.empty() ? default_output(arguments.case_file)
+                                            : std::filesystem::path(arguments.output);
+  options.force = arguments.force;
+  options.packets = arguments.packets;
+  const auto the_case = read_case(arguments.case_file, arguments.assignments);
+  check_output_directory(options.output, options.force);  // before the probe of the speed
+  const auto plan = make_plan(the_case);
+  fmt::print("{}", plan.echo);
+  return run_new(plan, options);
+}
+
+/// Options of what goes from phase to phase.
+void add_packet_options(CLI::App& command, PacketOptions& packets) {
+  auto* record = command.add_option("--record", packets.record,
+                                    "Write every packet of the steps --from to --to into this directory");
+  command.add_option("--from", packets.from, "First time step to record (default: the first)")
+      ->check(CLI::NonNegativeNumber)
+      ->needs(record);
+  command.add_option("--to", packets.to, "Last time step to record (default: the end of the run)")
+      ->needs(record);
+  command
+      .add_flag("--through-files", packets.through_files,
+                "Hand every packet on by way of a file in OUTPUT/packets")
+      ->excludes(record);
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand("run", "Run a case, or go on from its last checkpoint");
+  auto arguments = std::make_shared<RunArguments>();
+  auto* case_file = command->add_option("case", arguments->case_file, "Case file (TOML; docs/case-file.md)");
+  auto* output = command->add_option("--output", arguments->output,
+                                     "Output directory (default: output/NAME of the case)");
+  auto* force =
+      command->add_flag("--force", arguments->force, "Remove an earlier run from the output directory");
+  auto* threads =
+      command
+          ->add_option("--threads", arguments->threads, "OpenMP threads, 0: all; same as --set run.threads")
+          ->check(CLI::NonNegativeNumber);
+  auto* set =
+      command
+          ->add_option("--set", arguments->assignments,
+                       "key=value, any key of the case file by its dotted path, e.g. capsule.0.radius=8; "
+                       "may be given many times")
+          ->allow_extra_args(false);
+  auto* shear_time =
+      command->add_option("--shear-time", arguments->shear_time,
+                          "End of the run in shear times; same as --set run.shear_time; extends a "
+                          "finished run with --resume");
+  auto* resume = command->add_option("--resume", arguments->resume,
+                                     "Go on from the last checkpoint of this output directory");
+  add_packet_options(*command, arguments->packets);
+  resume->excludes(case_file)->excludes(output)->excludes(force)->excludes(set);
+  command->callback([=, &exit_code] {
+    if (*resume) {
+      exit_code =
+          run_resumed(arguments->resume, *shear_time ? std::optional(arguments->shear_time) : std::nullopt,
+                      *threads ? std::optional(arguments->threads) : std::nullopt, arguments->packets);
+      return;
+    }
+    if (!*case_file)
+      throw InputError("tanktread run: a case file (or --resume DIR) is needed; see tanktread run --help");
+    if (*threads) arguments->assignments.push_back(fmt::format("run.threads={}", arguments->threads));
+    if (*shear_time)
+      arguments->assignments.push_back(fmt::format("run.shear_time={}", arguments->shear_time));
+    exit_code = run_case(*arguments);
+  });
+}
+
+void add_plan_command(CLI::App& app, int& exit_code) {
+  auto* command =
+      app.add_subcommand("plan", "Say what follows from a case and what it will cost, and run nothing");
+  auto arguments = std::make_shared<RunArguments>();
+  command->add_option("case", arguments->case_file, "Case file (TOML; docs/case-file.md)")->required();
+  command->add_option("--set", arguments->assignments, "key=value, as for run")->allow_extra_args(false);
+  command->callback([=, &exit_code] {
+    fmt::print("{}", make_plan(read_case(arguments->case_file, arguments->assignments)).echo);
+    exit_code = 0;
+  });
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,88 @@
+#include "driver/run/observables.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "exchange/vtk_files.hpp"
+#include "membrane/shape.hpp"
+
+namespace tanktread::driver {
+
+std::vector<Observation> observe(const System& system, const Case& the_case) {
+  std::vector<Observation> observations;
+  for (std::size_t k = 0; k < system.membranes.size(); ++k) {
+    const auto& membrane = system.membranes[k];
+    const auto& reference = membrane.reference();
+    const double radius = the_case.capsules[k].radius;
+    const auto moments = membrane::volume_moments(membrane.positions(), reference.triangles);
+    const auto shape = membrane::deformation(moments, the_case.flow.flow_axis, the_case.flow.wall_axis);
+    Observation row;
+    row.step = system.step;
+    row.shear_time = system.shear_time();
+    row.deformation = shape.deformation;
+    row.inclination_deg = shape.inclination_deg;
+    row.length = shape.length / radius;
+    row.width = shape.width / radius;
+    row.breadth = shape.breadth / radius;
+    row.volume_ratio =
+        moments.volume / membrane::volume_moments(reference.points, reference.triangles).volume;
+    row.area_ratio = membrane::surface_area(membrane.positions(), reference.triangles) /
+                     membrane::surface_area(reference.points, reference.triangles);
+    row.elastic_energy = membrane.elastic_energy();
+    row.max_speed = system.highest_speed;
+    row.capsule = static_cast<int>(k);
+    row.x = moments.centroid[0];
+    row.y = moments.centroid[1];
+    row.z = moments.centroid[2];
+    observations.push_back(row);
+  }
+  return observations;
+}
+
+std::string observables_header() {
+  return "step,shear_time,deformation,inclination_deg,length,width,breadth,volume_ratio,area_ratio,elastic_"
+         "energy,"
+         "max_speed,capsule,x,y,z\n";
+}
+
+std::string observables_row(const Observation& o) {
+  std::string row = fmt::format("{}", o.step);
+  for (const double value : {o.shear_time, o.deformation, o.inclination_deg, o.length, o.width, o.breadth,
+                             o.volume_ratio, o.area_ratio, o.elastic_energy, o.max_speed}) {
+    row += fmt::format(",{:.17g}", value);
+  }
+  return row + fmt::format(",{},{:.17g},{:.17g},{:.17g}\n", o.capsule, o.x, o.y, o.z);
+}
+
+void truncate_observables(const std::filesystem::path& file, std::int64_t last_step,
+                          const Schedule& schedule) {
+  std::ifstream input(file);
+  std::string line, kept = observables_header();
+  if (!std::getline(input, line) || line + "\n" != kept) {
+    throw exchange::FileError(
+        fmt::format("{}: is missing or has another header; the run cannot go on from its "
+                    "checkpoint without it",
+                    file.string()));
+  }
+  std::int64_t last_kept = -1;
+  while (std::getline(input, line)) {
+    std::int64_t step = -1;
+    // A row without its line end was cut off when the run was killed.
+    if (!(std::istringstream(line) >> step) || input.eof()) break;
+    if (step > last_step || !schedule.due(step)) continue;
+    kept += line + "\n";
+    last_kept = step;
+  }
+  input.close();
+  if (schedule.interval > 0 && last_kept != last_step - last_step % schedule.interval) {
+    throw exchange::FileError(
+        fmt::format("{}: rows up to step {} are missing (the last is of step {}); resume from an "
+                    "older checkpoint by removing the newer one",
+                    file.string(), last_step, last_kept));
+  }
+  exchange::write_text(file, kept);
+}
+
+}  // namespace tanktread::driver

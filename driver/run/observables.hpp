@@ -1,0 +1,42 @@
+// What is measured of each capsule, and the table it goes into.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "driver/system/system.hpp"
+#include "driver/units/schedule.hpp"
+
+namespace tanktread::driver {
+
+/// One row of observables.csv: one capsule at one time.
+struct Observation {
+  std::int64_t step = 0;
+  double shear_time = 0;
+  double deformation = 0;      ///< D = (L - W)/(L + W) of the equivalent ellipsoid in the shear plane
+  double inclination_deg = 0;  ///< of its long axis to the flow axis
+  double length = 0, width = 0, breadth = 0;  ///< its semi-axes, in undeformed radii
+  double volume_ratio = 0, area_ratio = 0;    ///< to the reference mesh
+  double elastic_energy = 0;                  ///< lattice units
+  double max_speed = 0;                       ///< of the fluid, grid steps a step
+  int capsule = 0;
+  double x = 0, y = 0, z = 0;  ///< centroid of the enclosed volume, grid steps (not wrapped)
+};
+
+/// Measures all capsules. The shear plane is that of flow and wall axis.
+std::vector<Observation> observe(const System& system, const Case& the_case);
+
+/// First line of observables.csv.
+std::string observables_header();
+/// A row, 17 significant digits, so that a double survives.
+std::string observables_row(const Observation& observation);
+
+/// Keeps of a table the header and the rows up to and with `last_step` that are due by the schedule (the last
+/// row of a finished run need not be), so that a continued run gives the file of an uninterrupted one.
+/// @throws exchange::FileError if the table is missing, or rows of it that the checkpoint has seen
+void truncate_observables(const std::filesystem::path& file, std::int64_t last_step,
+                          const Schedule& schedule);
+
+}  // namespace tanktread::driver

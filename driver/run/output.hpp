@@ -1,0 +1,36 @@
+// The output directory of a run: observables.csv, membrane.pvd, fluid.pvd and their files.
+#pragma once
+
+#include <filesystem>
+
+#include "driver/run/observables.hpp"
+#include "driver/system/system.hpp"
+#include "driver/units/schedule.hpp"
+
+namespace tanktread::driver {
+
+/// Writes what is due, when it is due. Files of a series are named by their step.
+class Output {
+ public:
+  Output(const Case& the_case, const Parameters& parameters, std::filesystem::path directory);
+
+  /// Starts new tables and series.
+  void begin();
+
+  /// Cuts tables and series back to what an uninterrupted run would have written up to `step`.
+  void resume(std::int64_t step);
+
+  /// Writes all that is due at this step; with `last`, the state at the end of the run too.
+  /// @return the observations if they were due, else none
+  std::vector<Observation> write(const System& system, bool last);
+
+ private:
+  void write_membrane(const System& system);
+  void write_fluid(const System& system);
+
+  const Case& case_;
+  std::filesystem::path directory_;
+  Schedule observables_, membrane_, fluid_;
+};
+
+}  // namespace tanktread::driver

@@ -1,0 +1,210 @@
+#include "driver/run/run.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "driver/program/output_directory.hpp"
+#include "driver/program/signals.hpp"
+#include "driver/program/version.hpp"
+#include "driver/run/checkpoint.hpp"
+#include "driver/run/output.hpp"
+#include "driver/run/progress.hpp"
+#include "driver/stages/file_passage.hpp"
+#include "driver/system/step.hpp"
+#include "driver/units/parameters_file.hpp"
+#include "exchange/vtk_files.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+void write_echo(const Plan& plan, const std::filesystem::path& directory) {
+  exchange::write_text(directory / "echo.toml", to_toml(plan.the_case));
+}
+
+void write_parameters(const Plan& plan, const std::filesystem::path& directory, const std::string& commits) {
+  exchange::write_text(directory / "parameters.toml", parameters_toml(plan.parameters, commits));
+}
+
+/// The last lines of a run: where it ended, how fast it was, which component took how much.
+void print_closing(const System& system, const Progress& progress, const std::filesystem::path& directory) {
+  const auto& seconds = system.seconds;
+  const double total = seconds.fluid + seconds.coupler + seconds.membrane;
+  if (total > 0) {
+    fmt::print("cost: fluid {:.1f} %, coupler {:.1f} %, membrane {:.1f} % of {}\n",
+               100 * seconds.fluid / total, 100 * seconds.coupler / total, 100 * seconds.membrane / total,
+               duration_text(total));
+  }
+  fmt::print("ended at step {} with {:.1f} MLUPS; results are in {}\n", system.step,
+             progress.mlups(system.step), directory.string());
+}
+
+/// Ends the progress line, and the run with an error that names its last good state.
+[[noreturn]] void stop_broken(const std::exception& error, const System& system, Progress& progress,
+                              const std::filesystem::path& directory) {
+  progress.finish(system.step);
+  const auto folders = checkpoint_folders(directory);
+  throw RunError(fmt::format("{}\nlast good state: {}", error.what(),
+                             folders.empty() ? "none was written" : folders.back().string()));
+}
+
+/// The steps to record, checked against those of the run. @throws InputError
+RecordedSteps recorded_steps(const PacketOptions& packets, std::int64_t first_step, std::int64_t last_step) {
+  const RecordedSteps steps{packets.from.value_or(first_step), packets.to.value_or(last_step)};
+  if (steps.from >= first_step && steps.from < steps.to && steps.to <= last_step) return steps;
+  throw InputError(
+      fmt::format("--from {} --to {}: the run goes from step {} to step {}; give steps within that, the "
+                  "first below the last",
+                  steps.from, steps.to, first_step, last_step));
+}
+
+/// Refuses what cannot be recorded, before anything is written. @throws InputError
+void check_packets(const PacketOptions& packets, std::int64_t first_step, std::int64_t last_step) {
+  if (packets.record.empty()) return;
+  recorded_steps(packets, first_step, last_step);
+  require_new_directory("--record", packets.record);
+}
+
+/// Before an earlier run is removed: the record may not be possible. @throws InputError
+void make_record_directory(const PacketOptions& packets) {
+  if (packets.record.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(packets.record, error);
+  if (error) {
+    throw InputError(fmt::format("--record {}: cannot be made ({}); give another directory",
+                                 packets.record.string(), error.message()));
+  }
+}
+
+std::unique_ptr<Passage> make_passage(const PacketOptions& packets, const Plan& plan, std::int64_t first_step,
+                                      const std::filesystem::path& directory) {
+  if (packets.through_files) return std::make_unique<FilePassage>(directory / "packets");
+  if (packets.record.empty()) return std::make_unique<Passage>();
+  const auto last_step = steps_of(plan.the_case.run.shear_time, plan.parameters);
+  write_echo(plan, packets.record);
+  return std::make_unique<Recorder>(packets.record, recorded_steps(packets, first_step, last_step));
+}
+
+/// A step and what is due after it.
+void advance_and_write(System& system, Passage& passage, Output& output, Progress& progress,
+                       const Schedule& checkpoints, std::int64_t last_step,
+                       const std::filesystem::path& directory) {
+  advance(system, passage);
+  progress.observe(output.write(system, system.step == last_step));
+  if (checkpoints.due(system.step) || system.step == last_step) write_checkpoint(system, directory);
+  progress.update(system.step);
+}
+
+int run_on(System& system, Passage& passage, const Plan& plan, Output& output,
+           const std::filesystem::path& directory) {
+  const std::int64_t last_step = steps_of(plan.the_case.run.shear_time, plan.parameters);
+  const auto checkpoints = schedule_of(plan.the_case.run.checkpoint_every, plan.parameters);
+  Progress progress(system.step, last_step, system.fluid->shape().size(), plan.parameters.shear_rate);
+  try {
+    while (system.step < last_step && SignalGuard::caught() == 0) {
+      advance_and_write(system, passage, output, progress, checkpoints, last_step, directory);
+    }
+    if (system.step < last_step) {
+      write_checkpoint(system, directory);
+      passage.stopped(system);
+    }
+  } catch (const RunError& error) {
+    stop_broken(error, system, progress, directory);
+  } catch (const exchange::FileError& error) {
+    stop_broken(error, system, progress, directory);
+  } catch (const std::filesystem::filesystem_error& error) {
+    stop_broken(error, system, progress, directory);
+  }
+  progress.finish(system.step);
+  print_closing(system, progress, directory);
+  if (SignalGuard::caught() == 0) return 0;
+  if (system.step < last_step) {
+    fmt::print("stopped by a signal; go on with: tanktread run --resume {}\n", directory.string());
+  }
+  return 128 + SignalGuard::caught();
+}
+
+/// The case of a directory's echo with what the command line changes of it, checked like any other.
+Case read_echo(const std::filesystem::path& directory, std::optional<double> shear_time,
+               std::optional<int> threads) {
+  std::vector<std::string> assignments;
+  if (shear_time) assignments.push_back(fmt::format("run.shear_time={}", *shear_time));
+  if (threads) assignments.push_back(fmt::format("run.threads={}", *threads));
+  const auto echo = directory / "echo.toml";
+  if (!std::filesystem::is_regular_file(echo)) {
+    throw InputError(fmt::format(
+        "--resume {}: not the output of a run, for it holds no echo.toml; give the directory that "
+        "--output named",
+        directory.string()));
+  }
+  return read_case(echo, assignments);
+}
+
+/// Whether there is anything left to do. @throws InputError for an end that cannot be reached from the
+/// checkpoint
+bool goes_on(const SavedState& checkpoint, std::int64_t last_step, std::int64_t former_last_step,
+             double shear_time) {
+  if (last_step > checkpoint.step) return true;
+  if (last_step == checkpoint.step && former_last_step == checkpoint.step) return false;
+  throw InputError(
+      fmt::format("--shear-time {}: the last checkpoint of the run is at or beyond that (step {}); "
+                  "give a later time",
+                  shear_time, checkpoint.step));
+}
+
+}  // namespace
+
+int run_new(const Plan& plan, const RunOptions& options) {
+  const SignalGuard guard;
+  check_output_directory(options.output, options.force);
+  check_packets(options.packets, 0, steps_of(plan.the_case.run.shear_time, plan.parameters));
+  // Before anything is written: a program may not start, a mesh may not fit.
+  auto system = make_system(plan.the_case, plan.parameters, plan.meshes);
+  const DirectoryLock lock(options.output);
+  make_record_directory(options.packets);
+  if (options.force) remove_earlier_run(options.output);
+  remove_temporary_files(options.output);
+  write_echo(plan, options.output);
+  write_parameters(plan, options.output, commit);
+  Output output(plan.the_case, plan.parameters, options.output);
+  output.begin();
+  output.write(system, false);
+  write_checkpoint(system, options.output);
+  const auto passage = make_passage(options.packets, plan, 0, options.output);
+  return run_on(system, *passage, plan, output, options.output);
+}
+
+int run_resumed(const std::filesystem::path& directory, std::optional<double> shear_time,
+                std::optional<int> threads, const PacketOptions& packets) {
+  const SignalGuard guard;
+  const auto former_case = read_echo(directory, std::nullopt, std::nullopt);
+  const auto the_case = read_echo(directory, shear_time, threads);
+  const DirectoryLock lock(directory);
+  auto checkpoint = read_last_checkpoint(directory);
+  const auto plan = make_plan(the_case, checkpoint.references);
+  fmt::print("{}resuming from {}\n", plan.echo, checkpoint.folder.string());
+  const auto last_step = steps_of(the_case.run.shear_time, plan.parameters);
+  if (!goes_on(checkpoint, last_step, steps_of(former_case.run.shear_time, plan.parameters),
+               the_case.run.shear_time)) {
+    if (!packets.record.empty()) {
+      throw InputError(
+          "--record: the run is at its end, so there is no step to record; extend it with --shear-time");
+    }
+    fmt::print("the run is at its end; --shear-time extends it\n");
+    return 0;
+  }
+  check_packets(packets, checkpoint.step, last_step);
+  auto system = make_system(the_case, plan.parameters, checkpoint.references);
+  restore(system, checkpoint);
+  checkpoint.fluid = {};  // as large as the lattice itself
+  make_record_directory(packets);
+  remove_temporary_files(directory);
+  if (shear_time || threads) write_echo(plan, directory);
+  write_parameters(plan, directory, commits_with(directory / "parameters.toml"));
+  Output output(plan.the_case, plan.parameters, directory);
+  output.resume(checkpoint.step);
+  const auto passage = make_passage(packets, plan, checkpoint.step, directory);
+  return run_on(system, *passage, plan, output, directory);
+}
+
+}  // namespace tanktread::driver

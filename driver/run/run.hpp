@@ -1,0 +1,38 @@
+// A whole run: from a plan, or on from a checkpoint, to the end.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "driver/plan/plan.hpp"
+
+namespace tanktread::driver {
+
+/// How the packets of a run's steps go from phase to phase.
+struct PacketOptions {
+  std::filesystem::path record;      ///< a directory to record them in; "": they are not
+  std::optional<std::int64_t> from;  ///< the first time step to record
+  std::optional<std::int64_t> to;    ///< the end of the record; none: of the run
+  bool through_files = false;        ///< every packet by way of a file in OUTPUT/packets
+};
+
+/// What `tanktread run` was told.
+struct RunOptions {
+  std::filesystem::path output;
+  bool force = false;  ///< an output of an earlier run in that directory may be removed
+  PacketOptions packets;
+};
+
+/// Makes the output directory and runs the case to its end.
+/// @return 0, or 130 / 143 if SIGINT / SIGTERM ended it (after a checkpoint)
+/// @throws InputError, RunError (a last good state is then in the checkpoints), exchange::FileError
+int run_new(const Plan& plan, const RunOptions& options);
+
+/// Goes on from the last checkpoint of a directory.
+/// @param shear_time a new end of the run, in place of that in echo.toml
+/// @param threads in place of that in echo.toml
+int run_resumed(const std::filesystem::path& directory, std::optional<double> shear_time,
+                std::optional<int> threads, const PacketOptions& packets);
+
+}  // namespace tanktread::driver

@@ -1,0 +1,56 @@
+// The membrane of a capsule in a run, whoever computes its forces.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "driver/outside/outside_membrane.hpp"
+#include "driver/packets/membrane_state.hpp"
+#include "membrane/membrane.hpp"
+
+namespace tanktread::driver {
+
+/// A membrane of the component with its laws, or with a program in their place. The program gives the nodal
+/// forces; the kinematics and the check of the elements stay. What the laws would say is then never passed
+/// off as a result: it is NaN, unless the program says it.
+class CapsuleMembrane {
+ public:
+  /// @param program null: none
+  explicit CapsuleMembrane(membrane::Membrane membrane, std::unique_ptr<OutsideMembrane> program = nullptr);
+
+  int n_nodes() const { return membrane_.n_nodes(); }
+  int n_triangles() const { return membrane_.n_triangles(); }
+  const membrane::TriangleMesh& reference() const { return membrane_.reference(); }
+  const Eigen::Matrix3Xd& positions() const { return membrane_.positions(); }
+  /// @throws std::invalid_argument if the number of columns is not n_nodes()
+  void set_positions(const Eigen::Ref<const Eigen::Matrix3Xd>& positions) {
+    membrane_.set_positions(positions);
+  }
+
+  /// The time step of the membrane, once a step: the total nodal forces at the present positions, 3 x
+  /// n_nodes.
+  /// @param velocity that moved the nodes there
+  /// @param step of the positions
+  /// @throws membrane::InvertedElement; RunError if a program gives none
+  Eigen::Matrix3Xd next_forces(const Eigen::Matrix3Xd& velocity, std::int64_t step);
+
+  // For output; of a program the point data elastic_force and the cell data stress, viscous_stress of its
+  // last reply, where it has them in the shapes of docs/files.md, else NaN.
+
+  /// Forces of the elastic law, 3 x n_nodes.
+  Eigen::Matrix3Xd elastic_forces() const;
+  membrane::ElementFields element_fields() const;
+  /// Of a program always NaN.
+  double elastic_energy() const;
+
+  MembraneState state() const;
+  /// @throws std::invalid_argument if it is not of such a membrane
+  void restore(const MembraneState& state);
+
+ private:
+  membrane::Membrane membrane_;
+  std::unique_ptr<OutsideMembrane> program_;
+};
+
+}  // namespace tanktread::driver

@@ -1,0 +1,33 @@
+#include "driver/outside/outside_fluid.hpp"
+#include "driver/system/components.hpp"
+#include "fluid/lattice_boltzmann.hpp"
+
+namespace tanktread::driver {
+
+std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const FlowParameters& parameters) {
+  const auto& flow = the_case.flow;
+  fluid::LatticeBoltzmannSettings settings;
+  settings.shape = {flow.box[0], flow.box[1], flow.box[2]};
+  settings.relaxation_time = parameters.relaxation_time;
+  settings.magic_parameter.reset();
+  if (flow.collision == "trt") settings.magic_parameter = flow.magic_parameter;
+  settings.inertia = flow.inertia;
+  settings.body_force = parameters.body_force;
+  settings.start = flow.start == "developed" ? fluid::Start::developed : fluid::Start::rest;
+  settings.speed_limit = parameters.speed_limit;
+  settings.threads = the_case.run.threads;
+  if (flow.kind != "periodic") {
+    fluid::WallPair walls;
+    walls.axis = flow.wall_axis;
+    if (flow.kind == "shear") {
+      walls.low_velocity[flow.flow_axis] = -parameters.wall_speed;
+      walls.high_velocity[flow.flow_axis] = parameters.wall_speed;
+    }
+    settings.walls = walls;
+  }
+  auto solver = fluid::make_lattice_boltzmann(settings);
+  if (flow.command.empty()) return solver;
+  return std::make_unique<OutsideFluid>(the_case, parameters, *solver);
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,65 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "driver/packets/surface_mesh.hpp"
+#include "driver/system/components.hpp"
+#include "driver/units/laws.hpp"
+#include "exchange/vtk_files.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+membrane::TriangleMesh mesh_from_file(const CapsuleCase& capsule) {
+  const auto file = std::filesystem::path(capsule.mesh.file);
+  membrane::TriangleMesh mesh;
+  try {
+    mesh = to_mesh(exchange::read_surface(file, true));
+  } catch (const exchange::FileError& error) {
+    throw InputError(error.what());
+  }
+  const auto report = inspected(mesh, file.string());
+  require_no_defects(report, file.string());
+  const double sphere_volume = 4.0 / 3.0 * std::numbers::pi * std::pow(capsule.radius, 3);
+  const double scale = std::cbrt(sphere_volume / report.volume);
+  const Eigen::Vector3d position(capsule.position[0], capsule.position[1], capsule.position[2]);
+  mesh.points = (scale * (mesh.points.colwise() - report.centre)).colwise() + position;
+  return mesh;
+}
+
+}  // namespace
+
+membrane::TriangleMesh reference_mesh(const CapsuleCase& capsule) {
+  if (!capsule.mesh.file.empty()) return mesh_from_file(capsule);
+  return membrane::icosphere(capsule.mesh.level, capsule.radius,
+                             {capsule.position[0], capsule.position[1], capsule.position[2]});
+}
+
+std::vector<membrane::TriangleMesh> reference_meshes(const Case& the_case) {
+  std::vector<membrane::TriangleMesh> meshes;
+  for (const auto& capsule : the_case.capsules) meshes.push_back(reference_mesh(capsule));
+  return meshes;
+}
+
+std::vector<CapsuleMembrane> make_membranes(const Case& the_case, const Parameters& parameters,
+                                            const std::vector<membrane::TriangleMesh>& meshes) {
+  if (meshes.size() != the_case.capsules.size()) {
+    throw InputError(
+        fmt::format("{}: {} capsules, but there are meshes of {}: the state and the case do not fit",
+                    the_case.file.string(), the_case.capsules.size(), meshes.size()));
+  }
+  std::vector<CapsuleMembrane> membranes;
+  for (std::size_t k = 0; k < meshes.size(); ++k) {
+    const bool has_program = !the_case.capsules[k].membrane.command.empty();
+    membrane::Membrane membrane(meshes[k], elastic_law(the_case.capsules[k].membrane, parameters.capsules[k]),
+                                has_program ? nullptr : viscous_law(parameters.capsules[k]),
+                                the_case.run.threads);
+    membranes.emplace_back(
+        std::move(membrane),
+        has_program ? std::make_unique<OutsideMembrane>(the_case, parameters, k) : nullptr);
+  }
+  return membranes;
+}
+
+}  // namespace tanktread::driver

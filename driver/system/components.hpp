@@ -1,0 +1,37 @@
+// The components of a case, each made by itself.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "coupler/coupler.hpp"
+#include "coupler/tangential_correction.hpp"
+#include "driver/case/case.hpp"
+#include "driver/system/capsule_membrane.hpp"
+#include "driver/units/units.hpp"
+#include "fluid/fluid.hpp"
+
+namespace tanktread::driver {
+
+/// The flow solver of a case, at its start. @throws InputError if it is a program that cannot be started
+std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const FlowParameters& parameters);
+
+/// The coupler of a case, without stencils.
+std::unique_ptr<coupler::Coupler> make_coupler(const Case& the_case);
+/// What a case adds to the velocity that its coupler interpolates; nothing: it does not ask for that.
+std::optional<coupler::TangentialCorrection> make_tangential_correction(const Case& the_case,
+                                                                        const coupler::Coupler& coupler);
+
+/// The stress-free mesh of a capsule at its place in the box: a sphere by its level, or a file scaled to the
+/// radius by its volume. @throws InputError if the file is not a surface that can be a membrane
+membrane::TriangleMesh reference_mesh(const CapsuleCase& capsule);
+/// Those of all capsules.
+std::vector<membrane::TriangleMesh> reference_meshes(const Case& the_case);
+
+/// The membranes of a case at rest. @param meshes the reference mesh of each capsule
+/// @throws InputError if a program in the place of a membrane cannot be started
+std::vector<CapsuleMembrane> make_membranes(const Case& the_case, const Parameters& parameters,
+                                            const std::vector<membrane::TriangleMesh>& meshes);
+
+}  // namespace tanktread::driver

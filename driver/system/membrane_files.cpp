@@ -1,0 +1,111 @@
+#include "driver/system/membrane_files.hpp"
+
+#include <fmt/format.h>
+
+#include "driver/packets/packet_files.hpp"
+#include "driver/packets/saved_state.hpp"
+#include "driver/system/phases.hpp"
+#include "exchange/vtk_files.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+using exchange::Array;
+
+void append(std::vector<double>& values, const double* data, Eigen::Index size) {
+  values.insert(values.end(), data, data + size);
+}
+
+void add_program_arrays(exchange::SurfacePacket& file, const std::vector<Array>& arrays,
+                        const std::string& prefix) {
+  for (const auto& array : arrays)
+    file.field_data.push_back({prefix + array.name, array.components, array.values});
+}
+
+NodeVectors elastic_forces(const std::vector<CapsuleMembrane>& membranes) {
+  NodeVectors forces;
+  for (const auto& membrane : membranes) forces.push_back(membrane.elastic_forces());
+  return forces;
+}
+
+void add_element_fields(exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>& membranes) {
+  Array stretches{"principal_stretches", 2, {}}, stress{"stress", 9, {}};
+  Array viscous_stress{"viscous_stress", 9, {}}, area_ratio{"area_ratio", 1, {}};
+  for (const auto& membrane : membranes) {
+    const auto fields = membrane.element_fields();
+    append(stretches.values, fields.principal_stretches.data(), fields.principal_stretches.size());
+    append(stress.values, fields.stress.data(), fields.stress.size());
+    append(viscous_stress.values, fields.viscous_stress.data(), fields.viscous_stress.size());
+    append(area_ratio.values, fields.area_ratio.data(), fields.area_ratio.size());
+  }
+  for (auto* array : {&stretches, &stress, &viscous_stress, &area_ratio})
+    file.cell_data.push_back(std::move(*array));
+}
+
+}  // namespace
+
+Surfaces surfaces_of(const std::vector<CapsuleMembrane>& membranes) {
+  Surfaces surfaces;
+  surfaces.positions = positions_of(membranes);
+  for (const auto& membrane : membranes) surfaces.triangles.push_back(membrane.reference().triangles);
+  return surfaces;
+}
+
+exchange::SurfacePacket membrane_file(const std::vector<CapsuleMembrane>& membranes,
+                                      const NodeVectors& velocity, const NodeVectors& force,
+                                      std::int64_t step, double shear_time) {
+  auto file = surface_file(surfaces_of(membranes), step);
+  add_vectors(file, "velocity", velocity);
+  add_vectors(file, "elastic_force", elastic_forces(membranes));
+  add_vectors(file, "total_force", force);
+  add_element_fields(file, membranes);
+  file.field_data.push_back({"shear_time", 1, {shear_time}});
+  return file;
+}
+
+void add_state(exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>& membranes) {
+  NodeVectors references;
+  for (const auto& membrane : membranes) references.push_back(membrane.reference().points);
+  add_vectors(file, "reference_position", references);
+  for (std::size_t k = 0; k < membranes.size(); ++k) {
+    auto state = membranes[k].state();
+    file.field_data.push_back({history_name(k), 1, std::move(state.history)});
+    add_program_arrays(file, state.program.point_data, program_prefix(k, "point"));
+    add_program_arrays(file, state.program.cell_data, program_prefix(k, "cell"));
+  }
+}
+
+void restore_membranes(std::vector<CapsuleMembrane>& membranes, const exchange::SurfacePacket& file,
+                       const std::string& name) {
+  check_schema_version(file.field_data, name);
+  for (std::size_t k = 0; k < membranes.size(); ++k) {
+    try {
+      membranes[k].restore(membrane_state_of(file, k, name));
+    } catch (const std::invalid_argument& error) {
+      throw exchange::FileError(fmt::format("{}: {} does not fit the case's membrane {}: {}", name,
+                                            history_name(k), k, error.what()));
+    }
+  }
+}
+
+void check_surfaces(const Surfaces& surfaces, const std::vector<CapsuleMembrane>& membranes,
+                    const std::string& name) {
+  if (surfaces.positions.size() != membranes.size()) {
+    throw exchange::FileError(
+        fmt::format("{}: {} capsules, the case has {}", name, surfaces.positions.size(), membranes.size()));
+  }
+  for (std::size_t k = 0; k < membranes.size(); ++k) {
+    const auto& reference = membranes[k].reference();
+    if (surfaces.positions[k].cols() == reference.points.cols() &&
+        surfaces.triangles[k] == reference.triangles)
+      continue;
+    throw exchange::FileError(
+        fmt::format("{}: capsule {} has {} nodes and {} triangles, that of the case {} and {}, or they are "
+                    "connected otherwise; use a "
+                    "file of the same mesh",
+                    name, k, surfaces.positions[k].cols(), surfaces.triangles[k].cols(),
+                    reference.points.cols(), reference.triangles.cols()));
+  }
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,39 @@
+// The membranes of a case as a file: what a person looks at, and what the membrane component goes on from.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "driver/packets/packets.hpp"
+#include "driver/system/capsule_membrane.hpp"
+#include "exchange/packet.hpp"
+
+namespace tanktread::driver {
+
+/// Positions and triangles of all membranes.
+Surfaces surfaces_of(const std::vector<CapsuleMembrane>& membranes);
+
+/// All membranes as one surface. Point data velocity, elastic_force, total_force; cell data
+/// principal_stretches, stress, viscous_stress, area_ratio, capsule; field data step, shear_time,
+/// schema_version.
+/// @param velocity that moved the nodes to their positions
+/// @param force the total force at the positions
+exchange::SurfacePacket membrane_file(const std::vector<CapsuleMembrane>& membranes,
+                                      const NodeVectors& velocity, const NodeVectors& force,
+                                      std::int64_t step, double shear_time);
+
+/// Adds what the membranes need to go on: point data reference_position, field data history_0, history_1 ...
+/// (Membrane::history()), and of programs program_0_point_NAME, program_0_cell_NAME
+/// (OutsideMembrane::state()).
+void add_state(exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>& membranes);
+
+/// Takes the states over. @param name of the file, for messages
+/// @throws exchange::FileError if a history is missing or is not one of these membranes
+void restore_membranes(std::vector<CapsuleMembrane>& membranes, const exchange::SurfacePacket& file,
+                       const std::string& name);
+
+/// @throws exchange::FileError unless the surfaces have the nodes and triangles of the membranes
+void check_surfaces(const Surfaces& surfaces, const std::vector<CapsuleMembrane>& membranes,
+                    const std::string& name);
+
+}  // namespace tanktread::driver

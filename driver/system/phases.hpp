@@ -1,0 +1,69 @@
+// The phases of a step, each a function from packet to packet. The run and the single stages call the same
+// ones.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "coupler/coupler.hpp"
+#include "coupler/tangential_correction.hpp"
+#include "driver/packets/packets.hpp"
+#include "driver/system/capsule_membrane.hpp"
+#include "fluid/fluid.hpp"
+
+namespace tanktread::driver {
+
+/// A membrane node may not move further than this in one step, grid steps: its stencil would leave its force
+/// behind.
+inline constexpr double longest_move = 0.5;
+
+/// A node would move too far. The message says which capsule, node, place and how far.
+class LongMove : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// 1. fluid: the velocity u(t) on the nodes listed (Eq. 2.46).
+GridVectors grid_velocity(const fluid::Fluid& fluid, std::span<const std::int64_t> nodes);
+
+/// Builds the stencils of the capsules at their positions: for the spread there, and for the interpolation of
+/// the next step. @throws coupler::StencilError
+void build_stencils(coupler::Coupler& coupler, const NodeVectors& positions);
+
+/// 2. coupler: the velocity u_m(t) of the nodes (Eq. 2.3), with the stencils at x(t), and what a kernel takes
+/// off it along the surfaces (docs/kernels.md) if that is to be given back.
+/// @param correction nothing: as interpolated
+/// @param velocity on all nodes that the stencils touch, or more
+/// @param surfaces at x(t)
+/// @param force F_m(t), looked at for the correction only
+/// @throws std::invalid_argument if a node that a stencil touches is missing
+/// @throws coupler::CorrectionError
+NodeVectors velocity_of_nodes(const coupler::Coupler& coupler,
+                              const std::optional<coupler::TangentialCorrection>& correction,
+                              const GridVectors& velocity, const Surfaces& surfaces,
+                              const NodeVectors& force);
+
+/// 3. membrane: positions x(t+1) = x(t) + u_m(t) (Eq. 2.19). @throws LongMove, also for not a number
+NodeVectors move_nodes(const NodeVectors& positions, const NodeVectors& velocity);
+
+/// 4. membrane: takes the positions x(t+1); strain, stress with its history, total nodal forces F_m(t+1).
+/// @param velocity u_m(t), which moved the nodes there
+/// @param step of the positions, t+1
+/// @throws membrane::InvertedElement; RunError if a program in the place of a membrane gives no forces
+NodeVectors nodal_forces(std::vector<CapsuleMembrane>& membranes, const NodeVectors& positions,
+                         const NodeVectors& velocity, std::int64_t step);
+
+/// 5. coupler: stencils at x(t+1), and the grid force F(t+1) spread with them (Eq. 2.1).
+/// @throws coupler::StencilError
+GridVectors spread(coupler::Coupler& coupler, const NodeVectors& positions, const NodeVectors& force);
+
+/// 6. fluid: streams to t+1 and collides under F(t+1). @return the highest speed. @throws fluid::Breakdown
+double advance_fluid(fluid::Fluid& fluid, const GridVectors& force);
+
+/// The positions of all membranes.
+NodeVectors positions_of(const std::vector<CapsuleMembrane>& membranes);
+
+}  // namespace tanktread::driver

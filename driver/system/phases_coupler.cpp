@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "driver/system/phases.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+std::vector<std::span<const double>> views(const NodeVectors& vectors) {
+  std::vector<std::span<const double>> spans;
+  for (const auto& matrix : vectors)
+    spans.emplace_back(matrix.data(), static_cast<std::size_t>(matrix.size()));
+  return spans;
+}
+
+/// The values on the nodes asked for, of vectors on more nodes than that.
+std::vector<double> picked(const GridVectors& vectors, std::span<const std::int64_t> nodes) {
+  std::vector<double> values;
+  values.reserve(3 * nodes.size());
+  auto found = vectors.nodes.begin();
+  for (const auto node : nodes) {
+    found = std::lower_bound(found, vectors.nodes.end(), node);
+    if (found == vectors.nodes.end() || *found != node) {
+      throw std::invalid_argument(fmt::format("no velocity on grid node {}, which a stencil touches", node));
+    }
+    const auto first = vectors.values.begin() + 3 * (found - vectors.nodes.begin());
+    values.insert(values.end(), first, first + 3);
+  }
+  return values;
+}
+
+std::vector<std::span<double>> targets_of(NodeVectors& vectors) {
+  std::vector<std::span<double>> spans;
+  for (auto& matrix : vectors) spans.emplace_back(matrix.data(), static_cast<std::size_t>(matrix.size()));
+  return spans;
+}
+
+NodeVectors normals_of(const Surfaces& surfaces) {
+  NodeVectors normals = zero_like(surfaces.positions);
+  const auto positions = views(surfaces.positions);
+  const auto targets = targets_of(normals);
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    const auto& triangles = surfaces.triangles[k];
+    coupler::node_normals(positions[k], {triangles.data(), static_cast<std::size_t>(triangles.size())},
+                          targets[k]);
+  }
+  return normals;
+}
+
+}  // namespace
+
+void build_stencils(coupler::Coupler& coupler, const NodeVectors& positions) {
+  coupler.build(views(positions));
+}
+
+NodeVectors velocity_of_nodes(const coupler::Coupler& coupler,
+                              const std::optional<coupler::TangentialCorrection>& correction,
+                              const GridVectors& velocity, const Surfaces& surfaces,
+                              const NodeVectors& force) {
+  NodeVectors result = zero_like(surfaces.positions);
+  const auto targets = targets_of(result);
+  if (std::ranges::equal(velocity.nodes, coupler.grid_nodes())) {
+    coupler.interpolate(velocity.values, targets);
+  } else {
+    coupler.interpolate(picked(velocity, coupler.grid_nodes()), targets);
+  }
+  if (correction) correction->add(coupler, views(normals_of(surfaces)), views(force), targets);
+  return result;
+}
+
+GridVectors spread(coupler::Coupler& coupler, const NodeVectors& positions, const NodeVectors& force) {
+  build_stencils(coupler, positions);
+  const auto nodes = coupler.grid_nodes();
+  GridVectors result{{nodes.begin(), nodes.end()}, std::vector<double>(3 * nodes.size())};
+  coupler.spread(views(force), result.values);
+  return result;
+}
+
+}  // namespace tanktread::driver

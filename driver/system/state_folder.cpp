@@ -1,0 +1,43 @@
+#include "driver/system/state_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "driver/packets/fluid_files.hpp"
+#include "driver/system/membrane_files.hpp"
+#include "driver/system/phases.hpp"
+#include "exchange/vtk_files.hpp"
+
+namespace tanktread::driver {
+
+void write_state(const std::filesystem::path& folder, const System& system) {
+  std::filesystem::create_directories(folder);
+  exchange::write_grid(folder / fluid_state_file, state_file(system.fluid->state(), system.fluid->shape()));
+  auto membranes = membrane_file(system.membranes, system.node_velocity, system.node_force, system.step,
+                                 system.shear_time());
+  add_state(membranes, system.membranes);
+  exchange::write_surface(folder / membrane_state_file, membranes);
+}
+
+void restore(System& system, const SavedState& state) {
+  if (state.positions.size() != system.membranes.size()) {
+    throw InputError(fmt::format("{}: {} capsules, the case has {}", state.folder.string(),
+                                 state.positions.size(), system.membranes.size()));
+  }
+  system.step = state.step;
+  system.node_velocity = state.node_velocity;
+  system.node_force = state.node_force;
+  try {
+    system.fluid->restore(state.fluid);
+    for (std::size_t k = 0; k < system.membranes.size(); ++k) {
+      system.membranes[k].set_positions(state.positions[k]);
+      system.membranes[k].restore(state.membranes[k]);
+    }
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: does not fit the case: {}", state.folder.string(), error.what()));
+  }
+  build_stencils(*system.coupler, state.positions);
+}
+
+}  // namespace tanktread::driver

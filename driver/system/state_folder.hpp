@@ -1,0 +1,17 @@
+// The state of a case at work to a folder, and back.
+#pragma once
+
+#include <filesystem>
+
+#include "driver/packets/saved_state.hpp"
+#include "driver/system/system.hpp"
+
+namespace tanktread::driver {
+
+/// Makes the folder and writes the state of a system into it. @throws exchange::FileError
+void write_state(const std::filesystem::path& folder, const System& system);
+
+/// Sets a freshly made system to a state. @throws InputError if it does not fit the case
+void restore(System& system, const SavedState& state);
+
+}  // namespace tanktread::driver

@@ -1,0 +1,85 @@
+#include "driver/system/step.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "driver/system/membrane_files.hpp"
+#include "driver/system/phases.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+/// Calls a phase and adds the time that it takes to its component's account.
+template <class Phase>
+auto timed(double& seconds, Phase phase) {
+  const auto start = std::chrono::steady_clock::now();
+  auto packet = phase();
+  seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return packet;
+}
+
+void advance_phases(System& system, Passage& passage) {
+  auto& fluid = *system.fluid;
+  auto& coupler = *system.coupler;
+  auto& seconds = system.seconds;
+
+  // 1. u(t) on the grid nodes that the stencils at x(t) touch.
+  auto velocity = timed(seconds.fluid, [&] { return grid_velocity(fluid, coupler.grid_nodes()); });
+  passage.pass(system, Packet::grid_velocity, velocity);
+
+  // 2. u_m(t), with the stencils at x(t) (and F_m(t), for the tangential correction).
+  const auto before = surfaces_of(system.membranes);
+  system.node_velocity = timed(seconds.coupler, [&] {
+    return velocity_of_nodes(coupler, system.tangential_correction, velocity, before, system.node_force);
+  });
+  passage.pass(system, Packet::node_velocity, system.node_velocity);
+
+  // 3. x(t+1).
+  auto positions =
+      timed(seconds.membrane, [&] { return move_nodes(before.positions, system.node_velocity); });
+  passage.pass(system, Packet::positions, positions);
+
+  // 4. Strain and stress at x(t+1), F_m(t+1).
+  system.node_force = timed(seconds.membrane, [&] {
+    return nodal_forces(system.membranes, positions, system.node_velocity, system.step + 1);
+  });
+  passage.pass(system, Packet::node_force, system.node_force);
+
+  // 5. Stencils at x(t+1), F(t+1).
+  auto force = timed(seconds.coupler, [&] { return spread(coupler, positions, system.node_force); });
+  passage.pass(system, Packet::grid_force, force);
+
+  // 6. The fluid goes to t+1 under F(t+1).
+  system.highest_speed = timed(seconds.fluid, [&] { return advance_fluid(fluid, force); });
+  ++system.step;
+  passage.step_done(system);
+}
+
+}  // namespace
+
+void advance(System& system, Passage& passage) {
+  const auto stop = [&system](const std::exception& error) {
+    throw RunError(fmt::format("step {}: {}", system.step + 1, error.what()));
+  };
+  try {
+    advance_phases(system, passage);
+  } catch (const fluid::Breakdown& error) {
+    throw RunError(error.what());  // which says the step
+  } catch (const LongMove& error) {
+    stop(error);
+  } catch (const membrane::InvertedElement& error) {
+    stop(error);
+  } catch (const coupler::StencilError& error) {
+    stop(error);
+  } catch (const coupler::CorrectionError& error) {
+    stop(error);
+  }
+}
+
+void advance(System& system) {
+  Passage in_memory;
+  advance(system, in_memory);
+}
+
+}  // namespace tanktread::driver

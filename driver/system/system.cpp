@@ -1,0 +1,28 @@
+#include "driver/system/system.hpp"
+
+#include <fmt/format.h>
+
+#include "driver/system/components.hpp"
+#include "driver/system/phases.hpp"
+
+namespace tanktread::driver {
+
+System make_system(const Case& the_case, const Parameters& parameters,
+                   const std::vector<membrane::TriangleMesh>& meshes) {
+  System system;
+  system.shear_rate = parameters.shear_rate;
+  system.fluid = make_fluid(the_case, parameters);
+  system.coupler = make_coupler(the_case);
+  system.tangential_correction = make_tangential_correction(the_case, *system.coupler);
+  system.membranes = make_membranes(the_case, parameters, meshes);
+  system.node_velocity = system.node_force = zero_like(positions_of(system.membranes));
+  try {
+    build_stencils(*system.coupler, positions_of(system.membranes));
+  } catch (const coupler::StencilError& error) {
+    throw InputError(
+        fmt::format("{}; move the capsule (capsule.N.position) or enlarge flow.box", error.what()));
+  }
+  return system;
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,48 @@
+// The three components of a case, put together, and the arrays that pass between them.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "coupler/coupler.hpp"
+#include "coupler/tangential_correction.hpp"
+#include "driver/case/case.hpp"
+#include "driver/packets/packets.hpp"
+#include "driver/system/capsule_membrane.hpp"
+#include "driver/units/units.hpp"
+#include "fluid/fluid.hpp"
+
+namespace tanktread::driver {
+
+/// Seconds of wall clock that each component has taken.
+struct ComponentSeconds {
+  double fluid = 0, coupler = 0, membrane = 0;
+};
+
+/// A case at work. Between two steps it stands at time t = `step`: positions x(t), populations after the
+/// collision of t with the grid force F(t), stencils at x(t). Node velocities and forces are those of the
+/// last step, for output.
+struct System {
+  std::unique_ptr<fluid::Fluid> fluid;
+  std::unique_ptr<coupler::Coupler> coupler;
+  std::optional<coupler::TangentialCorrection> tangential_correction;
+  std::vector<CapsuleMembrane> membranes;
+
+  std::int64_t step = 0;
+  double shear_rate = 0;      ///< g, for the times in files
+  NodeVectors node_velocity;  ///< u_m(t-1), which moved the nodes to x(t)
+  NodeVectors node_force;     ///< the total force at x(t)
+  double highest_speed = 0;   ///< of the fluid, in the last step
+  ComponentSeconds seconds;
+
+  double shear_time() const { return static_cast<double>(step) * shear_rate; }
+};
+
+/// Builds the components of a case at its start. @param meshes the reference mesh of each capsule
+/// @throws InputError if a mesh lies too near a wall for the kernel
+System make_system(const Case& the_case, const Parameters& parameters,
+                   const std::vector<membrane::TriangleMesh>& meshes);
+
+}  // namespace tanktread::driver

@@ -1,0 +1,64 @@
+#include "driver/units/laws.hpp"
+
+#include "driver/units/units.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+/// tau = mu/k' of a part in steps, from the form in which its spring is given; none if it is given in none.
+std::optional<double> relaxation_time(const std::optional<double>& stiffness,
+                                      const std::optional<double>& shear_times,
+                                      const std::optional<double>& modulus, double viscosity,
+                                      double shear_rate) {
+  if (stiffness) return 2.0 / (*stiffness * shear_rate);
+  if (shear_times) return *shear_times / shear_rate;
+  if (modulus) return viscosity / *modulus;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::unique_ptr<membrane::ElasticLaw> elastic_law(const MembraneCase& membrane,
+                                                  const CapsuleParameters& capsule) {
+  membrane::ElasticParameters law;
+  law.shear_modulus = capsule.shear_modulus;
+  law.area_ratio = membrane.area_ratio;
+  law.poisson_ratio = membrane.poisson_ratio;
+  law.interfacial_tension = capsule.interfacial_tension;
+  return membrane::make_elastic_law(membrane.elastic_law, law);
+}
+
+std::optional<membrane::ViscousParameters> viscous_parameters(const ViscousCase& viscous,
+                                                              double outer_viscosity, double radius,
+                                                              double shear_rate) {
+  const bool has_viscosity = viscous.boussinesq_shear > 0 || viscous.boussinesq_dilatational > 0;
+  if (viscous.scheme == "none" || !has_viscosity) return std::nullopt;
+  membrane::ViscousParameters result;
+  result.scheme = viscous.scheme;
+  result.interval = viscous.interval;
+  if (viscous.strain_sampling == "moving-average") {
+    result.sampling = membrane::StrainSampling::moving_average;
+  }
+  if (viscous.stress_measure == "rate-of-strain") result.measure = membrane::StressMeasure::rate_of_strain;
+  result.shear_viscosity = viscous.boussinesq_shear * outer_viscosity * radius;
+  result.dilatational_viscosity = viscous.boussinesq_dilatational * outer_viscosity * radius;
+  const auto shear_time = relaxation_time(viscous.spring_stiffness, viscous.spring_relaxation_time,
+                                          viscous.spring_modulus, result.shear_viscosity, shear_rate);
+  const auto dilatational_time =
+      relaxation_time(viscous.spring_stiffness_dilatational, viscous.spring_relaxation_time_dilatational,
+                      viscous.spring_modulus_dilatational, result.dilatational_viscosity, shear_rate);
+  // The checks of the case see to it that a part with a viscosity has a time, and that it is not 0.
+  if (result.shear_viscosity > 0) result.shear_spring = result.shear_viscosity / shear_time.value();
+  if (result.dilatational_viscosity > 0) {
+    const double time = dilatational_time ? *dilatational_time : shear_time.value();
+    result.dilatational_spring = result.dilatational_viscosity / time;
+  }
+  return result;
+}
+
+std::unique_ptr<membrane::ViscousLaw> viscous_law(const CapsuleParameters& capsule) {
+  if (!capsule.viscous) return nullptr;
+  return std::make_unique<membrane::ViscousLaw>(*capsule.viscous);
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,73 @@
+#include "driver/units/si.hpp"
+
+namespace tanktread::driver {
+
+double physical_reynolds_number(const SiCase& si) {
+  return si.density_kg_per_m3 * si.shear_rate_per_s * si.radius_m * si.radius_m / si.viscosity_Pa_s;
+}
+
+void apply_si(Case& the_case) {
+  if (!the_case.si) return;
+  const auto& si = *the_case.si;
+  const double metres_a_step = si.radius_m / the_case.capsules.front().radius;
+  for (auto& capsule : the_case.capsules) {
+    auto& membrane = capsule.membrane;
+    const double radius_m = capsule.radius * metres_a_step;
+    const double modulus =
+        si.interfacial_tension_N_per_m ? *si.interfacial_tension_N_per_m : *si.shear_modulus_N_per_m;
+    membrane.capillary_modulus = si.interfacial_tension_N_per_m ? "gamma" : "G_s";
+    membrane.capillary_number = si.viscosity_Pa_s * si.shear_rate_per_s * radius_m / modulus;
+    const double viscosity_times_radius = si.viscosity_Pa_s * radius_m;
+    membrane.viscous.boussinesq_shear =
+        si.membrane_shear_viscosity_N_s_per_m.value_or(0.0) / viscosity_times_radius;
+    membrane.viscous.boussinesq_dilatational =
+        si.membrane_dilatational_viscosity_N_s_per_m.value_or(0.0) / viscosity_times_radius;
+  }
+  auto& flow = the_case.flow;
+  if (flow.kind != "periodic" && !flow.reynolds_number && !flow.wall_speed) {
+    flow.reynolds_number = physical_reynolds_number(si);
+  }
+}
+
+std::optional<SiScales> si_scales(const Case& the_case, const Parameters& parameters) {
+  if (!the_case.si) return std::nullopt;
+  const auto& si = *the_case.si;
+  SiScales scales;
+  scales.length_m = si.radius_m / the_case.capsules.front().radius;
+  scales.time_s = parameters.shear_rate / si.shear_rate_per_s;
+  // A force is viscosity length^2/time. The density would do as well only where the physical Reynolds number
+  // is run; the viscosity does always, and keeps Ca and Bq.
+  scales.force_N =
+      si.viscosity_Pa_s / parameters.kinematic_viscosity * scales.length_m * scales.length_m / scales.time_s;
+  scales.reynolds_number_physical = physical_reynolds_number(si);
+  return scales;
+}
+
+SiCase si_of(const Case& the_case, const Parameters& parameters, const SiScales& scales) {
+  const auto& first = parameters.capsules.front();
+  const auto& viscous = the_case.capsules.front().membrane.viscous;
+  const double newton_per_metre = scales.force_N / scales.length_m;
+  const double pascal_second = scales.force_N * scales.time_s / (scales.length_m * scales.length_m);
+  SiCase si;
+  si.radius_m = first.radius * scales.length_m;
+  si.shear_rate_per_s = parameters.shear_rate / scales.time_s;
+  si.viscosity_Pa_s = parameters.kinematic_viscosity * pascal_second;
+  // The lattice density is 1; a density is force time^2/length^4.
+  si.density_kg_per_m3 = pascal_second * scales.time_s / (scales.length_m * scales.length_m);
+  if (first.interfacial_tension > 0) {
+    si.interfacial_tension_N_per_m = first.interfacial_tension * newton_per_metre;
+  } else {
+    si.shear_modulus_N_per_m = first.shear_modulus * newton_per_metre;
+  }
+  const double metre_viscosity =
+      parameters.kinematic_viscosity * first.radius * pascal_second * scales.length_m;
+  if (viscous.boussinesq_shear > 0) {
+    si.membrane_shear_viscosity_N_s_per_m = viscous.boussinesq_shear * metre_viscosity;
+  }
+  if (viscous.boussinesq_dilatational > 0) {
+    si.membrane_dilatational_viscosity_N_s_per_m = viscous.boussinesq_dilatational * metre_viscosity;
+  }
+  return si;
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,42 @@
+#include "driver/units/units.hpp"
+
+#include "driver/units/laws.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+/// Moduli from Ca = mu_o g a/modulus with mu_o = nu (density 1), and Ca by each modulus the law has.
+CapsuleParameters capsule_parameters(const CapsuleCase& capsule, double viscosity, double shear_rate) {
+  CapsuleParameters result;
+  result.radius = capsule.radius;
+  result.viscosity_ratio = capsule.viscosity_ratio;
+  const auto& membrane = capsule.membrane;
+  const double viscous = viscosity * shear_rate * capsule.radius;
+  const double modulus = viscous / membrane.capillary_number;
+  if (membrane.capillary_modulus == "gamma") {
+    result.interfacial_tension = modulus;
+    result.capillary_by_gamma = membrane.capillary_number;
+  } else {
+    result.shear_modulus = membrane.capillary_modulus == "E_s" ? 0.5 * modulus : modulus;
+    result.capillary_by_G_s = viscous / result.shear_modulus;
+    if (membrane.elastic_law == "skalak") {
+      result.skalak_modulus = 2.0 * result.shear_modulus;
+      result.capillary_by_E_s = viscous / result.skalak_modulus;
+    }
+  }
+  result.viscous = viscous_parameters(membrane.viscous, viscosity, capsule.radius, shear_rate);
+  result.area_modulus = elastic_law(membrane, result)->area_modulus();
+  return result;
+}
+
+}  // namespace
+
+Parameters parameters(const Case& the_case) {
+  Parameters result{flow_parameters(the_case), {}};
+  for (const auto& capsule : the_case.capsules) {
+    result.capsules.push_back(capsule_parameters(capsule, result.kinematic_viscosity, result.shear_rate));
+  }
+  return result;
+}
+
+}  // namespace tanktread::driver
