@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "driver/case/case.hpp"
+#include "driver/program/errors.hpp"
 #include "driver/case/spelling.hpp"
 #include "driver/program/commands.hpp"
 #include "driver/program/missing_command.hpp"

@@ -8,7 +8,7 @@
 #include "driver/case/case_checks.hpp"
 #include "driver/case/case_programs.hpp"
 #include "driver/case/case_reader.hpp"
-#include "driver/units/si.hpp"
+#include "driver/case/si_numbers.hpp"
 
 namespace tanktread::driver {
 namespace {

@@ -4,19 +4,13 @@
 #include <array>
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "driver/case/case_value.hpp"
+#include "driver/program/errors.hpp"
 
 namespace tanktread::driver {
-
-/// Bad input: the message names the file, the key, the value, the allowed range and the fix. Exit code 2.
-class InputError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 struct FlowCase {
   std::string kind = "shear";  ///< shear | poiseuille | periodic

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
-#include "driver/case/case.hpp"
 #include "driver/diff/file_difference.hpp"
 #include "driver/program/commands.hpp"
+#include "driver/program/errors.hpp"
 
 namespace tanktread::driver {
 namespace {

@@ -6,11 +6,12 @@
 #include <fstream>
 #include <iterator>
 #include <set>
+#include <string>
 
-#include "driver/case/case.hpp"
 #include "driver/diff/packet_difference.hpp"
 #include "driver/diff/series_difference.hpp"
 #include "driver/diff/table_difference.hpp"
+#include "driver/program/errors.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {

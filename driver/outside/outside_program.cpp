@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "driver/packets/packet_files.hpp"
-#include "driver/program/run_error.hpp"
+#include "driver/program/errors.hpp"
 
 namespace tanktread::driver {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "driver/case/case.hpp"
+#include "driver/program/errors.hpp"
 
 namespace tanktread::driver {
 namespace {

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <vector>
 
-#include "driver/case/case.hpp"
+#include "driver/program/errors.hpp"
 
 namespace tanktread::driver {
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "driver/case/case_programs.hpp"
+#include "driver/plan/duration.hpp"
 #include "driver/plan/echo_capsule.hpp"
-#include "driver/run/progress.hpp"
 #include "driver/units/schedule.hpp"
 
 namespace tanktread::driver {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "driver/case/case.hpp"
+#include "driver/program/errors.hpp"
 
 namespace tanktread::driver {
 namespace {

@@ -7,8 +7,9 @@
 
 #include <cerrno>
 #include <cstring>
+#include <vector>
 
-#include "driver/case/case.hpp"
+#include "driver/program/errors.hpp"
 
 namespace tanktread::driver {
 namespace {

@@ -1,6 +1,6 @@
 #include "driver/program/version.hpp"
 
-#include "driver/commit.hpp"
+#include "driver/program/commit.hpp"
 
 namespace tanktread::driver {
 

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 
-#include "driver/case/case.hpp"
+#include "driver/program/errors.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {

@@ -98,16 +98,4 @@ void add_run_command(CLI::App& app, int& exit_code) {
   });
 }
 
-void add_plan_command(CLI::App& app, int& exit_code) {
-  auto* command =
-      app.add_subcommand("plan", "Say what follows from a case and what it will cost, and run nothing");
-  auto arguments = std::make_shared<RunArguments>();
-  command->add_option("case", arguments->case_file, "Case file (TOML; docs/case-file.md)")->required();
-  command->add_option("--set", arguments->assignments, "key=value, as for run")->allow_extra_args(false);
-  command->callback([=, &exit_code] {
-    fmt::print("{}", make_plan(read_case(arguments->case_file, arguments->assignments)).echo);
-    exit_code = 0;
-  });
-}
-
 }  // namespace tanktread::driver

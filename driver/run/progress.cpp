@@ -3,17 +3,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <cstdio>
 
-namespace tanktread::driver {
+#include "driver/plan/duration.hpp"
 
-std::string duration_text(double seconds) {
-  const auto whole = std::llround(seconds);
-  if (whole < 60) return fmt::format("{} s", whole);
-  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
-  return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
-}
+namespace tanktread::driver {
 
 Progress::Progress(std::int64_t first_step, std::int64_t last_step, std::int64_t n_nodes, double shear_rate)
     : first_step_(first_step),

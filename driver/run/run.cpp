@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "driver/plan/duration.hpp"
 #include "driver/program/output_directory.hpp"
 #include "driver/program/signals.hpp"
 #include "driver/program/version.hpp"

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
-#include "driver/case/case.hpp"
 #include "driver/packets/surface_mesh.hpp"
 #include "driver/program/commands.hpp"
+#include "driver/program/errors.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {

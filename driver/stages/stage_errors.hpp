@@ -5,8 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "driver/case/case.hpp"
-#include "driver/program/run_error.hpp"
+#include "driver/program/errors.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "driver/case/case.hpp"
+#include "driver/program/errors.hpp"
 #include "driver/program/commands.hpp"
 #include "exchange/vtk_files.hpp"
 

@@ -1,7 +1,7 @@
 // One time step of the coupled system: numbered phases and nothing else.
 #pragma once
 
-#include "driver/program/run_error.hpp"
+#include "driver/program/errors.hpp"
 #include "driver/system/passage.hpp"
 #include "driver/system/system.hpp"
 

@@ -1,4 +1,4 @@
-// SI values to the numbers of a case and back: the one place where they meet.
+// Lattice units in SI, and from what is run back to SI (to the numbers of the case: case/si_numbers.hpp).
 #pragma once
 
 #include <optional>
@@ -16,15 +16,6 @@ struct SiScales {
 
 /// The scales of a case; none without [si].
 std::optional<SiScales> si_scales(const Case& the_case, const Parameters& parameters);
-
-/// Re = rho g a^2/mu of the physical values.
-double physical_reynolds_number(const SiCase& si);
-
-/// From [si] to the numbers of the case, for each capsule with its own radius in metres (that of [si] times
-/// its radius over the first one's): Ca = mu_o g a/G_s (or gamma), Bq_s = mu_s/(mu_o a), Bq_d = mu_d/(mu_o
-/// a); and the Reynolds number, unless the case gives it (or the wall speed, or is periodic). A case without
-/// [si] stays as it is.
-void apply_si(Case& the_case);
 
 /// And back, from what is run: the SI values of the first capsule that the lattice values stand for. Equal to
 /// the case's [si] up to rounding but for the density, which is that of the Reynolds number that is run.

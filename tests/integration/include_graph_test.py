@@ -20,7 +20,7 @@ class IncludeGraph(unittest.TestCase):
 
     def write(self, file, text):
         path = self.source / file
-        path.parent.mkdir(exist_ok=True)
+        path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
 
     def refused(self, file, line, words):
@@ -72,6 +72,38 @@ class IncludeGraph(unittest.TestCase):
         self.refused("fluid/CMakeLists.txt", "target_link_libraries(f PUBLIC tanktread::membrane)", "fluid must not link membrane")
         self.refused("fluid/CMakeLists.txt", "target_link_libraries(f PUBLIC Eigen3::Eigen)", "fluid must not link Eigen")
         self.refused("fluid/CMakeLists.txt", "target_link_libraries(f PUBLIC Boost::any)", "say there who may link it")
+
+    def test_a_room_knows_only_rooms_below_it(self):
+        rooms = list(include_graph.ROOMS)
+        for room in rooms:
+            for other in rooms:
+                with self.subTest(room=room, other=other):
+                    include = f'#include "driver/{other}/x.hpp"'
+                    if other == room or other in include_graph.ROOMS[room]:
+                        self.write(f"driver/{room}/a.cpp", include)
+                        self.assertEqual(include_graph.violations(self.source), [])
+                    else:
+                        self.refused(f"driver/{room}/a.cpp", include, f"driver/{room} must not know driver/{other}")
+            self.refused(f"driver/{room}/a.cpp", '#include "driver/main.hpp"', "must not know what lies in driver/ itself")
+            self.write("driver/main.cpp", f'#include "driver/{room}/a.hpp"')
+            (self.source / f"driver/{room}/a.cpp").unlink()
+            self.assertEqual(include_graph.violations(self.source), [])
+
+    def test_a_room_that_is_in_no_list(self):
+        self.refused("driver/attic/a.cpp", '#include "driver/case/x.hpp"', "driver/attic is in no list")
+        self.refused("driver/attic/a.cpp", '#include "driver/attic/x.hpp"', "driver/attic is in no list")
+
+    def test_a_circle_in_the_list_of_rooms(self):
+        found = include_graph.order_violations({"case": ("units",), "units": ("case", "units")})
+        self.assertEqual([line.split(": ", 1)[1].split(",")[0] for line in found], ["driver/case may know driver/units", "driver/units may know driver/units"])
+        self.assertEqual(include_graph.order_violations(), [])
+
+    def test_a_circle_of_files(self):
+        self.write("driver/case/a.hpp", '#include "driver/case/b.hpp"\n')
+        self.write("driver/case/b.hpp", '#include "driver/case/c.hpp"\n')
+        self.write("driver/case/c.hpp", '#include "driver/case/a.hpp"\n')
+        circle = "driver/case/a.hpp -> driver/case/b.hpp -> driver/case/c.hpp -> driver/case/a.hpp"
+        self.assertEqual(include_graph.violations(self.source), [f"a circle of includes: {circle}"])
 
     def test_an_empty_folder_is_not_a_pass(self):
         (self.source / "fluid/fluid.hpp").unlink()
