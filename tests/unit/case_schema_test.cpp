@@ -18,7 +18,7 @@ using namespace tanktread::testing;
 using ::testing::HasSubstr;
 
 std::string manual() {
-  const auto file = std::filesystem::path(__FILE__).parent_path() / "../../docs/case-file.md";
+  const auto file = std::filesystem::path(TANKTREAD_SOURCE) / "docs/case-file.md";
   std::ifstream stream(file);
   std::ostringstream text;
   text << stream.rdbuf();
