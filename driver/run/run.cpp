@@ -201,7 +201,7 @@ int run_resumed(const std::filesystem::path& directory, std::optional<double> sh
   make_record_directory(packets);
   remove_temporary_files(directory);
   if (shear_time || threads) write_echo(plan, directory);
-  write_parameters(plan, directory, commits_with(directory / "parameters.toml"));
+  write_parameters(plan, directory, commits_with(directory / "parameters.toml", commit));
   Output output(plan.the_case, plan.parameters, directory);
   output.resume(checkpoint.step);
   const auto passage = make_passage(packets, plan, checkpoint.step, directory);

@@ -66,7 +66,7 @@ void put_capsule(std::string& toml, const CapsuleParameters& capsule, double out
 
 }  // namespace
 
-std::string commits_with(const std::filesystem::path& file) {
+std::string commits_with(const std::filesystem::path& file, const std::string& ours) {
   std::string before = "unknown";
   try {
     before = toml::parse_file(file.string())["commit"].value_or(before);
@@ -75,7 +75,7 @@ std::string commits_with(const std::filesystem::path& file) {
   }
   const auto comma = before.rfind(", ");
   const auto last = comma == std::string::npos ? before : before.substr(comma + 2);
-  return last == commit ? before : before + ", " + commit;
+  return last == ours ? before : before + ", " + ours;
 }
 
 std::string parameters_toml(const Parameters& parameters, const std::string& commits) {

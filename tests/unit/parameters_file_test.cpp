@@ -6,7 +6,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <map>
 
 #include "driver/program/version.hpp"
 #include "driver/units/parameters_file.hpp"
@@ -71,22 +70,31 @@ TEST(ParametersFile, HasACapsuleForEachOfTheCase) {
   EXPECT_EQ(read_back(parameters(parse(full_case)))["capsule"].as_array()->size(), 2u);
 }
 
-TEST(ParametersFile, NamesTheCommitsOfAllProgramsThatMadeARun) {
+/// What a run has that went on from a parameters.toml of this text.
+std::string commits_after(const std::string& text, const std::string& ours) {
   const auto file = std::filesystem::temp_directory_path() / fmt::format("parameters-{}.toml", ::getpid());
-  const std::string ours = commit;
+  std::ofstream(file) << text;
+  const auto commits = commits_with(file, ours);
   std::filesystem::remove(file);
-  EXPECT_EQ(commits_with(file), "unknown, " + ours);
-  for (const auto& [before, after] :
-       std::map<std::string, std::string>{{ours, ours},
-                                          {"12ab", "12ab, " + ours},
-                                          {"12ab, " + ours, "12ab, " + ours},
-                                          {ours + ", 12ab", ours + ", 12ab, " + ours}}) {
-    std::ofstream(file) << "commit = \"" << before << "\"\n";
-    EXPECT_EQ(commits_with(file), after);
+  return commits;
+}
+
+TEST(ParametersFile, NamesTheCommitsOfAllProgramsThatMadeARun) {
+  // Sources without a commit, as from an archive, are a normal case: "unknown" is then the program's own.
+  for (const std::string ours : {"248c18c6a8", "248c18c6a8+", "unknown"}) {
+    EXPECT_EQ(commits_after("commit = \"" + ours + "\"\n", ours), ours);
+    EXPECT_EQ(commits_after("commit = \"12ab\"\n", ours), "12ab, " + ours);
+    EXPECT_EQ(commits_after("commit = \"12ab, " + ours + "\"\n", ours), "12ab, " + ours);
+    EXPECT_EQ(commits_after("commit = \"" + ours + ", 12ab\"\n", ours), ours + ", 12ab, " + ours);
   }
-  std::ofstream(file) << "commit = \"12ab";  // cut off
-  EXPECT_EQ(commits_with(file), "unknown, " + ours);
-  std::filesystem::remove(file);
+}
+
+TEST(ParametersFile, ARunWhoseCommitIsNotToBeReadWasMadeByAnUnknownOne) {
+  for (const auto* text : {"", "commit = \"12ab", "commit = 12\n", "other = \"12ab\"\n"}) {
+    EXPECT_EQ(commits_after(text, "248c18c6a8"), "unknown, 248c18c6a8") << text;
+    EXPECT_EQ(commits_after(text, "unknown"), "unknown") << text;
+  }
+  EXPECT_EQ(commits_with("there/is/no/such/file.toml", "248c18c6a8"), "unknown, 248c18c6a8");
 }
 
 }  // namespace
