@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <regex>
 #include <vector>
 
 #include "driver/program/errors.hpp"
@@ -16,16 +17,19 @@ namespace {
 
 constexpr const char* lock_name = ".lock";
 
-bool holds_anything(const std::filesystem::path& directory) {
-  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
-    if (entry.path().filename() != lock_name) return true;
-  }
-  return false;
+/// A name that only a process that was killed leaves: of exchange's AtomicFile, .NAME.PROCESS-NUMBER.tmp, or
+/// of a checkpoint, .step_STEP.tmp and .step_STEP.old.tmp. Other hidden files are somebody's.
+bool is_temporary(const std::filesystem::path& file) {
+  static const std::regex pattern(R"(\.(.+\.[0-9]+-[0-9]+|step_[0-9]+(\.old)?)\.tmp)");
+  return std::regex_match(file.filename().string(), pattern);
 }
 
-bool is_temporary(const std::filesystem::path& file) {
-  const auto name = file.filename().string();
-  return name.starts_with(".") && name.ends_with(".tmp");
+/// What a process leaves that was killed before its first file was there counts as nothing.
+bool holds_anything(const std::filesystem::path& directory) {
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+    if (entry.path().filename() != lock_name && !is_temporary(entry.path())) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -90,7 +94,7 @@ void remove_earlier_run(const std::filesystem::path& directory) {
 }
 
 void remove_temporary_files(const std::filesystem::path& directory) {
-  for (const auto& place : {directory, directory / "checkpoints"}) {
+  for (const auto& place : {directory, directory / "checkpoints", directory / "packets"}) {
     if (!std::filesystem::is_directory(place)) continue;
     std::vector<std::filesystem::path> left;
     for (const auto& entry : std::filesystem::directory_iterator(place)) {

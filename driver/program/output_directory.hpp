@@ -20,8 +20,8 @@ class DirectoryLock {
   int descriptor_;
 };
 
-/// Refuses what is no directory, and a directory that holds anything. @param option that named it, for the
-/// message: "--record" @throws InputError
+/// Refuses what is no directory, and a directory that holds anything but what a killed process left half
+/// written. @param option that named it, for the message: "--record" @throws InputError
 void require_new_directory(const std::string& option, const std::filesystem::path& directory);
 
 /// Refuses a directory that holds anything, unless `force` is set and it is an earlier run. Writes nothing.
@@ -31,8 +31,8 @@ void check_output_directory(const std::filesystem::path& directory, bool force);
 /// Removes the files of an earlier run, those that tell it is one last. The lock must be held.
 void remove_earlier_run(const std::filesystem::path& directory);
 
-/// Removes files that a killed process left half written (.*.tmp), in the directory and among its
-/// checkpoints.
+/// Removes files that a killed process left half written, in the directory, among its checkpoints and its
+/// packets. Other hidden files stay.
 void remove_temporary_files(const std::filesystem::path& directory);
 
 }  // namespace tanktread::driver
