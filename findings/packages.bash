@@ -5,8 +5,7 @@ export LC_ALL=C.UTF-8 PYTHONDONTWRITEBYTECODE=1
 
 script=$(realpath "$0")
 folder=$(mktemp -d)
-root=$folder/root
-mkdir "$root"
+root=$folder/root  # another one within ( ) parts packages that do not go together
 trap 'cd /; rm -rf "$folder"' EXIT
 cd "$folder"
 
@@ -33,7 +32,7 @@ need() {
 # unpack PACKAGE=VERSION ...: just these, before those of the machine.
 unpack() {
   local cache=${FINDINGS_CACHE:-$folder/packages} package
-  mkdir -p "$cache"
+  mkdir -p "$cache" "$root"
   (cd "$cache" && apt-get download "$@" >"$folder/apt.log" 2>&1) || cannot_check "$(grep '^E:' "$folder/apt.log" | head -n 1)"
   for package in "$@"; do
     dpkg -x "$(package_file "$cache" "$package")" "$root"
@@ -53,12 +52,23 @@ use_root() {
   export LD_LIBRARY_PATH=$root/lib/x86_64-linux-gnu:$root/$libraries:$root/$libraries/blas:$root/$libraries/lapack
 }
 
+as_seen_failed() {
+  cat "$folder/stderr" >&2
+  [ "$1" -ne 2 ] || exit 2
+  echo "CHANGED: $(basename "$script"): the check itself fails"
+  exit 1
+}
+
 # as_seen COMMAND ...: runs it and prints what it prints. Exit code 1 unless that is, word for word, what the head of the script
 # gives in the lines that begin with "# | ".
 as_seen() {
   local expected found
   expected=$(sed -n 's/^# | //p' "$script")
-  found=$("$@" 2>"$folder/stderr") || { cat "$folder/stderr" >&2; echo "CHANGED: the check itself fails"; exit 1; }
+  found=$("$@" 2>"$folder/stderr") || as_seen_failed $?
   echo "$found"
-  [ "$found" = "$expected" ] || { cat "$folder/stderr" >&2; diff <(echo "$expected") <(echo "$found") || true; echo "CHANGED: $(basename "$script")"; exit 1; }
+  [ "$found" != "$expected" ] || return 0
+  cat "$folder/stderr" >&2
+  diff <(echo "$expected") <(echo "$found") || true
+  echo "CHANGED: $(basename "$script")"
+  exit 1
 }

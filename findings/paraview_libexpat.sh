@@ -19,10 +19,6 @@
 #
 # What we do: README.md (From a clone to a picture in ParaView) and post/paraview/output_scene.py name the cause.
 source "$(dirname "$0")/packages.bash"
-need python3-vtk9=9.1.0+really9.1.0+dfsg2-5+deb12u1
-vtk_path=${PYTHONPATH-}
-need paraview=5.11.0+dfsg-1+b1 python3-paraview=5.11.0+dfsg-1+b1
-unpack libexpat1=2.5.0-1+deb12u2
 
 cat >in_paraview.py <<'END'
 import sys
@@ -45,15 +41,23 @@ for name in ("raw", "base64", "binary"):
     print(f"VTK {vtk.vtkVersion.GetVTKVersion()}, {name}: {reader.GetOutput().GetNumberOfPoints()} points")
 END
 
-# What it says of the XML, and what it has read.
-paraview() {
-  pvbatch in_paraview.py "$@" >log 2>&1
-  echo "ParaView, $1: $(grep -oE 'not well-formed.*token\)|junk after document element' log | sed 's/$/, /')$(grep -E '^[0-9]+ points' log)"
-}
+# Each in a root of its own, since ParaView brings a VTK of its own. Of ParaView: what it says of the XML, and what it has read.
+paraview() (
+  root=$folder/paraview
+  need paraview=5.11.0+dfsg-1+b1 python3-paraview=5.11.0+dfsg-1+b1
+  unpack libexpat1=2.5.0-1+deb12u2
+  while read -r name mode encoded; do
+    pvbatch in_paraview.py "$name" "$mode" "$encoded" >log 2>&1 </dev/null
+    echo "ParaView, $name: $(grep -oE 'not well-formed.*token\)|junk after document element' log | sed 's/$/, /')$(grep -E '^[0-9]+ points' log)"
+  done <<<$'raw Appended 0\nbase64 Appended 1\nbinary Binary 0'
+)
+vtk() (
+  root=$folder/vtk
+  need python3-vtk9=9.1.0+really9.1.0+dfsg2-5+deb12u1
+  unpack libexpat1=2.5.0-1+deb12u2
+  "$python" in_vtk.py
+)
 check() {
-  paraview raw Appended 0
-  paraview base64 Appended 1
-  paraview binary Binary 0
-  PYTHONPATH=$vtk_path "$python" in_vtk.py
+  paraview && vtk
 }
 as_seen check
