@@ -7,11 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "driver/program/errors.hpp"
 #include "driver/case/spelling.hpp"
-#include "driver/program/commands.hpp"
-#include "driver/program/missing_command.hpp"
-#include "driver/program/version.hpp"
+#include "driver/command_line.hpp"
+#include "driver/program/errors.hpp"
 
 namespace {
 
@@ -39,30 +37,14 @@ void check_subcommand(const CLI::App& app, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(
-      "tanktread: capsules with elastic and viscous membranes in flow, by immersed boundary and lattice "
-      "Boltzmann",
-      "tanktread");
-  using tanktread::driver::version, tanktread::driver::commit;
-  app.set_version_flag("--version", std::string("tanktread ") + version + " (commit " + commit + ")");
-  app.require_subcommand(1);
   int exit_code = 0;
-  tanktread::driver::add_run_command(app, exit_code);
-  tanktread::driver::add_plan_command(app, exit_code);
-  tanktread::driver::add_membrane_command(app, exit_code);
-  tanktread::driver::add_coupler_command(app, exit_code);
-  tanktread::driver::add_fluid_command(app, exit_code);
-  tanktread::driver::add_replay_command(app, exit_code);
-  tanktread::driver::add_mesh_command(app, exit_code);
-  tanktread::driver::add_study_command(app, exit_code);
-  tanktread::driver::add_diff_command(app, exit_code);
-  tanktread::driver::put_missing_last(app);
+  const auto app = tanktread::driver::command_line(exit_code);
   try {
-    check_subcommand(app, argc, argv);
-    app.parse(argc, argv);
+    check_subcommand(*app, argc, argv);
+    app->parse(argc, argv);
     return exit_code;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : exit_bad_input;
+    return app->exit(error) == 0 ? 0 : exit_bad_input;
   } catch (const tanktread::driver::InputError& error) {
     return fail(exit_bad_input, error.what());
   } catch (const std::exception& error) {

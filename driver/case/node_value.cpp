@@ -1,18 +1,11 @@
 #include "driver/case/node_value.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <sstream>
 
 namespace tanktread::driver {
 namespace {
-
-bool is_in_range(double value, const Key& key) {
-  const bool above = key.least_included ? value >= key.least : value > key.least;
-  const bool below = key.greatest_included ? value <= key.greatest : value < key.greatest;
-  return std::isfinite(value) && above && below;
-}
 
 std::optional<double> real_of(const toml::node& node, const Key& key) {
   double value = 0;
@@ -23,12 +16,12 @@ std::optional<double> real_of(const toml::node& node, const Key& key) {
   } else {
     return std::nullopt;
   }
-  return is_in_range(value, key) ? std::optional(value) : std::nullopt;
+  return key.range.contains(value) ? std::optional(value) : std::nullopt;
 }
 
 std::optional<int> integer_of(const toml::node& node, const Key& key) {
   const auto* integer = node.as_integer();
-  if (integer == nullptr || !is_in_range(static_cast<double>(integer->get()), key)) return std::nullopt;
+  if (integer == nullptr || !key.range.contains(static_cast<double>(integer->get()))) return std::nullopt;
   if (integer->get() != static_cast<int>(integer->get())) return std::nullopt;
   return static_cast<int>(integer->get());
 }

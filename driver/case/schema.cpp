@@ -10,7 +10,6 @@
 namespace tanktread::driver {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 const std::string capsule_prefix = "capsule.";
 
 std::vector<Key> make_schema() {
@@ -20,15 +19,6 @@ std::vector<Key> make_schema() {
     keys.insert(keys.end(), group.begin(), group.end());
   }
   return keys;
-}
-
-std::string range_text(const Key& key) {
-  const auto low = fmt::format("{} {}", key.least_included ? ">=" : ">", key.least);
-  const auto high = fmt::format("{} {}", key.greatest_included ? "<=" : "<", key.greatest);
-  if (key.least == -infinity && key.greatest == infinity) return "";
-  if (key.greatest == infinity) return " " + low;
-  if (key.least == -infinity) return " " + high;
-  return fmt::format(" {} and {}", low, high);
 }
 
 std::string choices_text(const std::vector<std::string>& choices) {
@@ -99,15 +89,15 @@ std::string allowed_text(const Key& key) {
     case Kind::boolean:
       return "true or false";
     case Kind::integer:
-      return "an integer" + range_text(key);
+      return "an integer" + key.range.text();
     case Kind::real:
-      return "a number" + range_text(key);
+      return "a number" + key.range.text();
     case Kind::integers3:
-      return "three integers" + range_text(key);
+      return "three integers" + key.range.text();
     case Kind::reals3:
-      return "three numbers" + range_text(key);
+      return "three numbers" + key.range.text();
     case Kind::ranges3:
-      return "three pairs of integers" + range_text(key);
+      return "three pairs of integers" + key.range.text();
     case Kind::text:
       return key.choices.empty() ? "text" : choices_text(key.choices);
     case Kind::texts:

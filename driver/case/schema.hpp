@@ -2,12 +2,12 @@
 // the case and the manual all use it.
 #pragma once
 
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "driver/case/case.hpp"
 #include "driver/case/case_value.hpp"
+#include "driver/program/number_range.hpp"
 
 namespace tanktread::driver {
 
@@ -17,10 +17,7 @@ struct Key {
   std::string path;
   Kind kind = Kind::none;
   std::string preset;  ///< the default as it would stand in a file; "required"; words; or "" (none)
-  double least = -std::numeric_limits<double>::infinity();
-  double greatest = std::numeric_limits<double>::infinity();
-  bool least_included = true;  ///< the bounds belong to the range
-  bool greatest_included = true;
+  NumberRange range;
   std::vector<std::string> choices;  ///< of a text; empty: any
   std::string unit;                  ///< "" for a pure number or a word
   std::string meaning;               ///< one line

@@ -10,6 +10,9 @@
 namespace tanktread::driver {
 namespace {
 
+/// So that the number of all nodes is an integer of 64 bits; memory ends long before.
+constexpr int most_nodes_along_axis = 100'000;
+
 /// "none" and the schemes; a program that knows no schemes takes any name.
 std::vector<std::string> viscous_scheme_names() {
   auto names = maxwell_scheme_names();
@@ -120,7 +123,8 @@ std::vector<Key> viscous_keys(const std::string& prefix) {
           .above(0),
       key<InViscous<&V::interval>>(prefix + "interval", "steps",
                                    "N, between two updates of the viscous stress")
-          .from(1),
+          .from(1)
+          .to(1'000'000),
       key<InViscous<&V::strain_sampling>>(prefix + "strain_sampling", "",
                                           "which strain enters an update when N > 1")
           .one_of({"latest", "moving-average"}),
@@ -142,6 +146,7 @@ std::vector<Key> title_and_flow_keys() {
           .one_of({"shear", "poiseuille", "periodic"}),
       key<InFlow<&F::box>>("flow.box", "grid steps", "fluid nodes along x, y, z; node k sits at k + 1/2")
           .from(4)
+          .to(most_nodes_along_axis)
           .required(),
       axis_key<InFlow<&F::wall_axis>>("flow.wall_axis", "normal of the walls, at 0 and at the box's length"),
       axis_key<InFlow<&F::flow_axis>>("flow.flow_axis", "direction of the flow"),
@@ -272,6 +277,7 @@ std::vector<Key> coupler_run_output_keys() {
           "output.fluid_box", "nodes",
           "[[x0, x1], [y0, y1], [z0, z1]]: first and last node of fluid files (a slice: x0 = x1)")
           .from(0)
+          .to(most_nodes_along_axis - 1)
           .preset("the whole box"),
   };
 }

@@ -77,11 +77,13 @@ void set_axis(Case& the_case, std::size_t capsule, const Value& value) {
 struct KeyMaker {
   Key key;
 
-  KeyMaker above(double least) { return key.least = least, key.least_included = false, std::move(*this); }
-  KeyMaker from(double least) { return key.least = least, std::move(*this); }
-  KeyMaker to(double greatest) { return key.greatest = greatest, std::move(*this); }
+  KeyMaker above(double least) {
+    return key.range.least = least, key.range.least_included = false, std::move(*this);
+  }
+  KeyMaker from(double least) { return key.range.least = least, std::move(*this); }
+  KeyMaker to(double greatest) { return key.range.greatest = greatest, std::move(*this); }
   KeyMaker below(double greatest) {
-    return key.greatest = greatest, key.greatest_included = false, std::move(*this);
+    return key.range.greatest = greatest, key.range.greatest_included = false, std::move(*this);
   }
   KeyMaker one_of(std::vector<std::string> choices) {
     return key.choices = std::move(choices), std::move(*this);

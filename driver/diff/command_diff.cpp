@@ -6,7 +6,7 @@
 
 #include "driver/diff/file_difference.hpp"
 #include "driver/program/commands.hpp"
-#include "driver/program/errors.hpp"
+#include "driver/program/number_option.hpp"
 
 namespace tanktread::driver {
 namespace {
@@ -20,9 +20,6 @@ struct DiffArguments {
 };
 
 int compare(const DiffArguments& arguments) {
-  if (!(arguments.tolerance >= 0)) {
-    throw InputError(fmt::format("--tolerance {}: must be 0 (bit for bit) or above", arguments.tolerance));
-  }
   const auto report = compare_outputs(
       arguments.a, arguments.b, {{arguments.ignored.begin(), arguments.ignored.end()}, arguments.tolerance});
   for (const auto& line : report.lines()) fmt::print("{}\n", line);
@@ -42,9 +39,8 @@ void add_diff_command(CLI::App& app, int& exit_code) {
       ->add_option("--ignore", arguments->ignored,
                    "Name of an array, column or file to leave out; may be given many times")
       ->allow_extra_args(false);
-  command
-      ->add_option("--tolerance", arguments->tolerance,
-                   "Largest |a - b| of an array or column that counts as equal; 0: bit for bit")
+  add_number(*command, "--tolerance", arguments->tolerance,
+             "Largest |a - b| of an array or column that counts as equal; 0: bit for bit", at_least(0))
       ->capture_default_str();
   command->callback([=, &exit_code] { exit_code = compare(*arguments); });
 }

@@ -72,10 +72,14 @@ void put_override(EchoTable& table, const Subject& subject) {
 
 void put_schedule(EchoTable& table, const Subject& subject, const std::string& name, double every) {
   const auto& p = subject.parameters;
-  const auto n_steps = steps_of(subject.the_case.run.shear_time, p);
+  const auto n_steps = last_step_of(subject.the_case, p);
   const auto interval = schedule_of(every, p).interval;
   if (interval == 0) {
     table.row(name, "never");
+    return;
+  }
+  if (interval > n_steps) {
+    table.row(name, n_steps == 0 ? "1" : "2", "", "times, at the start and the end");
     return;
   }
   // Step 0, each that is due, and the last.
@@ -87,7 +91,7 @@ void put_schedule(EchoTable& table, const Subject& subject, const std::string& n
 void put_run(EchoTable& table, const Subject& subject) {
   const auto& the_case = subject.the_case;
   const auto& p = subject.parameters;
-  const auto n_steps = steps_of(the_case.run.shear_time, p);
+  const auto n_steps = last_step_of(the_case, p);
   table.section("run");
   table.row("kernel", the_case.coupler.kernel, "",
             the_case.coupler.tangential_correction ? "with the tangential correction" : "");

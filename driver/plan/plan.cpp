@@ -22,7 +22,7 @@ double measure_speed(const Case& the_case, const Parameters& parameters,
                      const std::vector<membrane::TriangleMesh>& meshes) {
   constexpr double probe_seconds = 1.0;
   constexpr int n_warm_up = 2, n_least = 3;
-  const auto n_enough = std::max<std::int64_t>(n_least, steps_of(the_case.run.shear_time, parameters) / 10);
+  const auto n_enough = std::max<std::int64_t>(n_least, last_step_of(the_case, parameters) / 10);
   try {
     auto system = make_system(the_case, parameters, meshes);
     for (int k = 0; k < n_warm_up; ++k) advance(system);
@@ -47,7 +47,7 @@ double physical_memory_bytes() {
 double times_written(double every, const Case& the_case, const Parameters& parameters) {
   const auto schedule = schedule_of(every, parameters);
   if (schedule.interval == 0) return 0.0;
-  return 1.0 + static_cast<double>(steps_of(the_case.run.shear_time, parameters) / schedule.interval);
+  return 1.0 + static_cast<double>(last_step_of(the_case, parameters) / schedule.interval);
 }
 
 Cost predict_cost(const Case& the_case, const Parameters& parameters,
@@ -66,7 +66,7 @@ Cost predict_cost(const Case& the_case, const Parameters& parameters,
   // Nor is a program of the user's, which a run starts once.
   if (cost.memory_bytes < physical_memory_bytes() && !has_program(the_case))
     cost.mlups = measure_speed(the_case, parameters, meshes);
-  const double n_steps = static_cast<double>(steps_of(the_case.run.shear_time, parameters));
+  const double n_steps = static_cast<double>(last_step_of(the_case, parameters));
   if (cost.mlups > 0) cost.run_seconds = 1e-6 * n_steps * n_nodes / cost.mlups;
 
   double fluid_output_nodes = n_nodes;

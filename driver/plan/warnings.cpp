@@ -177,7 +177,7 @@ void warn_of_rounding(Lines& lines, const Case& the_case, const Parameters& p) {
         fmt::format("{} = {:.6g} shear times is {:.4g} steps, rounded to {:.0f}; set it to {:.6g}", key,
                     every, wanted, interval, interval / p.steps_per_shear_time));
   }
-  if (steps_of(the_case.run.shear_time, p) == 0) {
+  if (last_step_of(the_case, p) == 0) {
     lines.push_back("run.shear_time is less than half a time step: nothing will be run; raise it");
   }
 }

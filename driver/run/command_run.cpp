@@ -2,9 +2,12 @@
 
 #include <memory>
 
+#include "driver/case/schema.hpp"
 #include "driver/program/commands.hpp"
+#include "driver/program/number_option.hpp"
 #include "driver/program/output_directory.hpp"
 #include "driver/run/run.hpp"
+#include "driver/units/schedule.hpp"
 
 namespace tanktread::driver {
 namespace {
@@ -43,10 +46,10 @@ int run_case(const RunArguments& arguments) {
 void add_packet_options(CLI::App& command, PacketOptions& packets) {
   auto* record = command.add_option("--record", packets.record,
                                     "Write every packet of the steps --from to --to into this directory");
-  command.add_option("--from", packets.from, "First time step to record (default: the first)")
-      ->check(CLI::NonNegativeNumber)
+  const auto steps = between(0, most_steps);
+  add_number(command, "--from", packets.from, "First time step to record (default: the first)", steps)
       ->needs(record);
-  command.add_option("--to", packets.to, "Last time step to record (default: the end of the run)")
+  add_number(command, "--to", packets.to, "Last time step to record (default: the end of the run)", steps)
       ->needs(record);
   command
       .add_flag("--through-files", packets.through_files,
@@ -65,19 +68,18 @@ void add_run_command(CLI::App& app, int& exit_code) {
   auto* force =
       command->add_flag("--force", arguments->force, "Remove an earlier run from the output directory");
   auto* threads =
-      command
-          ->add_option("--threads", arguments->threads, "OpenMP threads, 0: all; same as --set run.threads")
-          ->check(CLI::NonNegativeNumber);
+      add_number(*command, "--threads", arguments->threads,
+                 "OpenMP threads, 0: all; same as --set run.threads", find_key("run.threads")->range);
   auto* set =
       command
           ->add_option("--set", arguments->assignments,
                        "key=value, any key of the case file by its dotted path, e.g. capsule.0.radius=8; "
                        "may be given many times")
           ->allow_extra_args(false);
-  auto* shear_time =
-      command->add_option("--shear-time", arguments->shear_time,
-                          "End of the run in shear times; same as --set run.shear_time; extends a "
-                          "finished run with --resume");
+  auto* shear_time = add_number(*command, "--shear-time", arguments->shear_time,
+                                "End of the run in shear times; same as --set run.shear_time; extends a "
+                                "finished run with --resume",
+                                find_key("run.shear_time")->range);
   auto* resume = command->add_option("--resume", arguments->resume,
                                      "Go on from the last checkpoint of this output directory");
   add_packet_options(*command, arguments->packets);

@@ -81,7 +81,7 @@ std::unique_ptr<Passage> make_passage(const PacketOptions& packets, const Plan& 
                                       const std::filesystem::path& directory) {
   if (packets.through_files) return std::make_unique<FilePassage>(directory / "packets");
   if (packets.record.empty()) return std::make_unique<Passage>();
-  const auto last_step = steps_of(plan.the_case.run.shear_time, plan.parameters);
+  const auto last_step = last_step_of(plan.the_case, plan.parameters);
   write_echo(plan, packets.record);
   return std::make_unique<Recorder>(packets.record, recorded_steps(packets, first_step, last_step));
 }
@@ -98,7 +98,7 @@ void advance_and_write(System& system, Passage& passage, Output& output, Progres
 
 int run_on(System& system, Passage& passage, const Plan& plan, Output& output,
            const std::filesystem::path& directory) {
-  const std::int64_t last_step = steps_of(plan.the_case.run.shear_time, plan.parameters);
+  const std::int64_t last_step = last_step_of(plan.the_case, plan.parameters);
   const auto checkpoints = schedule_of(plan.the_case.run.checkpoint_every, plan.parameters);
   Progress progress(system.step, last_step, system.fluid->shape().size(), plan.parameters.shear_rate);
   try {
@@ -158,7 +158,7 @@ bool goes_on(const SavedState& checkpoint, std::int64_t last_step, std::int64_t 
 int run_new(const Plan& plan, const RunOptions& options) {
   const SignalGuard guard;
   check_output_directory(options.output, options.force);
-  check_packets(options.packets, 0, steps_of(plan.the_case.run.shear_time, plan.parameters));
+  check_packets(options.packets, 0, last_step_of(plan.the_case, plan.parameters));
   // Before anything is written: a program may not start, a mesh may not fit.
   auto system = make_system(plan.the_case, plan.parameters, plan.meshes);
   const DirectoryLock lock(options.output);
@@ -184,8 +184,8 @@ int run_resumed(const std::filesystem::path& directory, std::optional<double> sh
   auto checkpoint = read_last_checkpoint(directory);
   const auto plan = make_plan(the_case, checkpoint.references);
   fmt::print("{}resuming from {}\n", plan.echo, checkpoint.folder.string());
-  const auto last_step = steps_of(the_case.run.shear_time, plan.parameters);
-  if (!goes_on(checkpoint, last_step, steps_of(former_case.run.shear_time, plan.parameters),
+  const auto last_step = last_step_of(the_case, plan.parameters);
+  if (!goes_on(checkpoint, last_step, last_step_of(former_case, plan.parameters),
                the_case.run.shear_time)) {
     if (!packets.record.empty()) {
       throw InputError(

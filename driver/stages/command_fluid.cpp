@@ -1,8 +1,10 @@
 #include <memory>
 
 #include "driver/program/commands.hpp"
+#include "driver/program/number_option.hpp"
 #include "driver/stages/case_options.hpp"
 #include "driver/stages/stages.hpp"
+#include "driver/units/schedule.hpp"
 
 namespace tanktread::driver {
 
@@ -21,8 +23,7 @@ void add_fluid_command(CLI::App& app, int& exit_code) {
                       "(default: the start of the case)");
   command->add_option("--force", stage.force,
                       "Grid file with the array `force`, held through all steps (default: none)");
-  command->add_option("--steps", stage.n_steps, "Time steps to take")
-      ->check(CLI::NonNegativeNumber)
+  add_number(*command, "--steps", stage.n_steps, "Time steps to take", between(0, most_steps))
       ->capture_default_str();
   command->add_option("--out", stage.out, "State to write (.vti)")->required();
   command->add_option("--fields", stage.fields, "Grid file to write too: density, velocity, force");

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "driver/program/commands.hpp"
+#include "driver/program/number_option.hpp"
 #include "driver/program/signals.hpp"
 #include "driver/stages/case_options.hpp"
 #include "driver/stages/stages.hpp"
@@ -26,13 +27,12 @@ void add_motion_options(CLI::App& command, Arguments& arguments) {
       "--motion", arguments.motion_name,
       "A motion in place of --in: the .pvd of surfaces, or `twist`; --out is then a directory");
   for (auto* option : {
-           command.add_option("--amplitude-deg", arguments.amplitude_deg, "Of the twist: A0, degrees"),
-           command.add_option("--period", motion.twist_period, "Of the twist: T0, shear times")
-               ->check(CLI::PositiveNumber),
-           command.add_option("--every", motion.every, "Of the twist: shear times between files")
-               ->check(CLI::PositiveNumber),
-           command.add_option("--shear-time", motion.shear_time, "Of the twist: its end, shear times")
-               ->check(CLI::PositiveNumber),
+           add_number(command, "--amplitude-deg", arguments.amplitude_deg, "Of the twist: A0, degrees", {}),
+           add_number(command, "--period", motion.twist_period, "Of the twist: T0, shear times", positive()),
+           add_number(command, "--every", motion.every, "Of the twist: shear times between files",
+                      positive()),
+           add_number(command, "--shear-time", motion.shear_time, "Of the twist: its end, shear times",
+                      positive()),
        }) {
     option->needs(name)->capture_default_str();
   }

@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <memory>
 #include <string>
-#include <vector>
 
+#include "driver/case/schema.hpp"
 #include "driver/packets/surface_mesh.hpp"
 #include "driver/program/commands.hpp"
 #include "driver/program/errors.hpp"
+#include "driver/program/number_option.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
@@ -38,20 +40,17 @@ void add_sphere_command(CLI::App& mesh, int& exit_code) {
   struct Arguments {
     int level = 3;
     double radius = 1;
-    std::vector<double> centre = {0, 0, 0};
+    std::array<double, 3> centre = {0, 0, 0};
     std::string file;
   };
   auto* command = mesh.add_subcommand("sphere", "Write a sphere of 20 * 4^level triangles");
   auto arguments = std::make_shared<Arguments>();
-  command->add_option("--level", arguments->level, "Subdivisions of the icosahedron")
-      ->check(CLI::Range(0, 8))
+  add_number(*command, "--level", arguments->level, "Subdivisions of the icosahedron",
+             find_key("capsule.N.mesh.level")->range)
       ->capture_default_str();
-  command->add_option("--radius", arguments->radius, "Radius, grid steps")
-      ->check(CLI::PositiveNumber)
+  add_number(*command, "--radius", arguments->radius, "Radius, grid steps", positive())
       ->capture_default_str();
-  command->add_option("--centre", arguments->centre, "Centre x y z, grid steps")
-      ->expected(3)
-      ->capture_default_str();
+  add_number(*command, "--centre", arguments->centre, "Centre x y z, grid steps", {})->capture_default_str();
   command->add_option("file", arguments->file, "File to write (.vtu)")->required();
   command->callback([=, &exit_code] {
     const auto& centre = arguments->centre;

@@ -25,6 +25,9 @@ struct Motion {
   std::vector<std::int64_t> written;
 };
 
+/// A folder of more is of no use, and the list of their steps is kept.
+constexpr std::int64_t most_files = 1'000'000;
+
 /// Every capsule twisted to and fro about the z axis through its place.
 Motion twist(const MotionStage& stage, const Parameters& numbers,
              const std::vector<membrane::TriangleMesh>& meshes) {
@@ -46,7 +49,12 @@ Motion twist(const MotionStage& stage, const Parameters& numbers,
     return positions;
   };
   const auto schedule = schedule_of(stage.every, numbers);
-  const auto end = steps_of(stage.shear_time, numbers);
+  const auto end = steps_of(stage.shear_time, numbers, "--shear-time");
+  if (end / schedule.interval > most_files) {
+    throw InputError(
+        fmt::format("--every {:g}: makes {} files up to shear time {:g}, more than {}; make it longer",
+                    stage.every, end / schedule.interval + 1, stage.shear_time, most_files));
+  }
   for (std::int64_t step = 0; step < end; step += schedule.interval) motion.written.push_back(step);
   motion.written.push_back(end);
   return motion;
@@ -64,7 +72,8 @@ Motion series(const MotionStage& stage, const Parameters& numbers,
     const auto file = stage.series.parent_path() / entry.file;
     auto surfaces = surfaces_of(exchange::read_surface(file), file.string());
     check_surfaces(surfaces, membranes, file.string());
-    const auto step = steps_of(entry.time - entries.front().time, numbers);
+    const auto step = steps_of(entry.time - entries.front().time, numbers,
+                               fmt::format("{}: the time of {}", stage.series.string(), entry.file));
     if (!motion.written.empty() && step <= motion.written.back()) {
       throw InputError(
           fmt::format("{}: {} is at shear time {}, less than a time step after the file before it; a motion "

@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "driver/program/errors.hpp"
 #include "driver/program/commands.hpp"
+#include "driver/program/errors.hpp"
+#include "driver/program/number_option.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {

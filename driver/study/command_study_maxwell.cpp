@@ -34,13 +34,14 @@ void add_maxwell_study(CLI::App& study, int& exit_code) {
       ->add_option("--scheme", arguments->schemes,
                    names_text("Schemes of the viscous law", maxwell_scheme_names()))
       ->capture_default_str();
-  command->add_option("--mu", arguments->viscosities, "Viscosities mu, force times time")
+  add_number(*command, "--mu", arguments->viscosities, "Viscosities mu, force times time", positive())
       ->capture_default_str();
-  command->add_option("--k", arguments->stiffnesses, "Stiffnesses k' of the spring, force")
+  add_number(*command, "--k", arguments->stiffnesses, "Stiffnesses k' of the spring, force", positive())
       ->capture_default_str();
-  command->add_option("--period", arguments->periods, "Periods T0 of the strain, time")
+  add_number(*command, "--period", arguments->periods, "Periods T0 of the strain, time", positive())
       ->capture_default_str();
-  command->add_option("--dt", arguments->time_steps, "Time steps, time; at most T0/2")->capture_default_str();
+  add_number(*command, "--dt", arguments->time_steps, "Time steps, time; at most T0/2", positive())
+      ->capture_default_str();
   add_file_option(*command, arguments->file);
   command->callback([=, &exit_code] {
     write_table(arguments->file, [&] { return maxwell_table(studies_of(*arguments)); });

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "driver/case/names.hpp"
+#include "driver/case/schema.hpp"
 #include "driver/study/command_study.hpp"
 #include "driver/study/study_twist.hpp"
 
@@ -29,13 +30,13 @@ std::vector<TwistStudy> studies_of(const TwistArguments& arguments) {
 
 void add_mesh_options(CLI::App& command, TwistArguments& arguments) {
   TwistStudy& study = arguments.study;
-  command.add_option("--level", arguments.levels, "Subdivisions of the icosahedron: 20 * 4^level triangles")
-      ->check(CLI::Range(0, 8))
+  add_number(command, "--level", arguments.levels, "Subdivisions of the icosahedron: 20 * 4^level triangles",
+             find_key("capsule.N.mesh.level")->range)
       ->capture_default_str();
-  command.add_option("--radius", arguments.radii, "Radii R, grid steps")->capture_default_str();
-  command.add_option("--axis", study.axis, "Axis x y z about which the mesh is turned at the start")
+  add_number(command, "--radius", arguments.radii, "Radii R, grid steps", positive())->capture_default_str();
+  add_number(command, "--axis", study.axis, "Axis x y z about which the mesh is turned at the start", {})
       ->capture_default_str();
-  command.add_option("--angle", arguments.angles, "Angles by which it is turned, degrees")
+  add_number(command, "--angle", arguments.angles, "Angles by which it is turned, degrees", {})
       ->capture_default_str();
 }
 
@@ -48,16 +49,18 @@ void add_motion_options(CLI::App& command, TwistArguments& arguments) {
           "--approach", arguments.approaches,
           "surface: nodes moved exactly; flow: by the velocity interpolated from a grid (default: both)")
       ->transform(CLI::CheckedTransformer(approaches));
-  command.add_option("--amplitude", study.amplitude, "Amplitude A0 of the twist, radians")
+  add_number(command, "--amplitude", study.amplitude, "Amplitude A0 of the twist, radians", positive())
       ->capture_default_str();
-  command.add_option("--period", study.period, "Period T0, time steps")->capture_default_str();
+  add_number(command, "--period", study.period, "Period T0, time steps", at_least(4))->capture_default_str();
   command.add_option("--kernel", arguments.kernels, names_text("Discrete delta", kernel_names()))
       ->capture_default_str();
-  command.add_option("--box", study.box, "Grid nodes along each axis, at 1/2, 3/2 ...")
+  add_number(command, "--box", study.box, "Grid nodes along each axis, at 1/2, 3/2 ...",
+             find_key("flow.box")->range)
       ->capture_default_str();
-  command.add_option("--offset", study.offset, "Centre x y z from the middle of the box, grid steps")
+  add_number(command, "--offset", study.offset, "Centre x y z from the middle of the box, grid steps", {})
       ->capture_default_str();
-  command.add_option("--time", study.times, "When to read the errors, periods")->capture_default_str();
+  add_number(command, "--time", study.times, "When to read the errors, periods", positive())
+      ->capture_default_str();
 }
 
 void add_law_options(CLI::App& command, TwistArguments& arguments) {
@@ -68,15 +71,13 @@ void add_law_options(CLI::App& command, TwistArguments& arguments) {
   command
       .add_option("--scheme", study.schemes, names_text("Schemes of the viscous law", maxwell_scheme_names()))
       ->capture_default_str();
-  command
-      .add_option("--mu-s", study.viscosity,
-                  "Viscosity mu_s of Eq. 3.38 (2 mu_s of the law), force times steps a length")
+  add_number(command, "--mu-s", study.viscosity,
+             "Viscosity mu_s of Eq. 3.38 (2 mu_s of the law), force times steps a length", positive())
       ->capture_default_str();
-  command.add_option("--k-s", study.stiffness, "Stiffness k_s' of the spring, force a length")
+  add_number(command, "--k-s", study.stiffness, "Stiffness k_s' of the spring, force a length", positive())
       ->capture_default_str();
-  command
-      .add_option("--dilatational", study.dilatational_ratio,
-                  "Dilatational viscosity over mu_s, at the same relaxation time")
+  add_number(command, "--dilatational", study.dilatational_ratio,
+             "Dilatational viscosity over mu_s, at the same relaxation time", at_least(0))
       ->capture_default_str();
   command
       .add_option("--measure", study.measure,

@@ -37,6 +37,9 @@ void require_valid(const MaxwellStudy& study) {
   require(study.time_step <= 0.5 * study.period,
           fmt::format("time step {} is more than half of the period {}; make it smaller", study.time_step,
                       study.period));
+  require(study.period / study.time_step <= MaxwellStudy::most_steps,
+          fmt::format("time step {} is less than a part in {:g} of the period {}; make it longer",
+                      study.time_step, MaxwellStudy::most_steps, study.period));
 }
 
 /// Steps that end within the first period; a rounding above counts as within.

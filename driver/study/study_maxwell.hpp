@@ -14,7 +14,9 @@ struct MaxwellStudy {
   double stiffness = 1;         ///< k', force
   double strain_amplitude = 1;  ///< eps0
   double period = 600;          ///< T0
-  double time_step = 1;         ///< dt, at most T0/2
+  double time_step = 1;         ///< dt, from T0/most_steps to T0/2
+
+  static constexpr double most_steps = 1e7;  ///< in a period: the stress of each is kept
 
   double relaxation_time() const { return viscosity / stiffness; }  ///< tau = mu/k'
 };

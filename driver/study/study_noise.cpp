@@ -11,9 +11,11 @@ namespace tanktread::driver {
 namespace {
 
 void require_valid(const NoiseStudy& study) {
-  require(study.nodes >= 1, fmt::format("nodes is {}, must be 1 or more", study.nodes));
+  require(study.nodes >= 1 && study.nodes <= NoiseStudy::most_nodes,
+          fmt::format("nodes is {}, must be 1 to {}", study.nodes, NoiseStudy::most_nodes));
   require_positive("time step", study.time_step);
-  require(study.n_positions >= 2, fmt::format("positions is {}, must be 2 or more", study.n_positions));
+  require(study.n_positions >= 2 && study.n_positions <= NoiseStudy::most_positions,
+          fmt::format("positions is {}, must be 2 to {}", study.n_positions, NoiseStudy::most_positions));
   require_positive("stream function", study.stream_function);
   require_positive("start height", study.start_height);
   require(std::isfinite(study.velocity_error),

@@ -18,6 +18,9 @@ struct NoiseStudy {
   double time_step = 0.0015;
   int n_positions = 500;
   double velocity_error = 0;  ///< grid velocities are multiplied by 1 + this
+
+  /// Of nodes: far below them a difference of positions is lost in rounding. Of positions: all are kept.
+  static constexpr int most_nodes = 1'000'000, most_positions = 10'000'000;
 };
 
 /// u = d psi/dy, v = -d psi/dx.

@@ -31,6 +31,9 @@ void require_valid(const TwistStudy& study) {
   for (const double time : study.times) {
     require(std::isfinite(time) && time * study.period >= 0.5,
             fmt::format("time is {} periods, must be one step or more", time));
+    require(time * study.period <= TwistStudy::most_steps,
+            fmt::format("time is {} periods of {} steps, which makes more than {:g} steps; lower one of them",
+                        time, study.period, TwistStudy::most_steps));
   }
 }
 

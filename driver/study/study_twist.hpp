@@ -38,6 +38,8 @@ struct TwistStudy {
   std::array<double, 3> offset = {0, 0, 0};  ///< of the centre from the middle of the box
   membrane::StressMeasure measure = membrane::StressMeasure::rate_of_deformation;
   std::vector<double> times = {0.25, 0.75};  ///< t/T0 of the readings, taken at the nearest step
+
+  static constexpr double most_steps = 1e9;  ///< up to the last reading
 };
 
 /// Root mean squares over all elements of computed less exact (Eq. 3.41), at the element's present centroid

@@ -1,15 +1,19 @@
 // Shear times as whole steps: when something is due.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
+#include <string>
 
 #include "driver/units/flow_units.hpp"
 
 namespace tanktread::driver {
 
-/// Every `interval` steps, step 0 included; interval 0: never.
+/// A run ends at this step at the latest: files and checkpoints are named by ten digits, by which they also
+/// sort.
+inline constexpr std::int64_t most_steps = 9'999'999'999;
+
+/// Every `interval` steps, step 0 included; interval 0: never. An interval beyond the end of a run is due at
+/// step 0 only.
 struct Schedule {
   std::int64_t interval = 0;
 
@@ -17,14 +21,14 @@ struct Schedule {
 };
 
 /// Shear times to the nearest whole step.
-inline std::int64_t steps_of(double shear_times, const FlowParameters& parameters) {
-  return std::llround(shear_times * parameters.steps_per_shear_time);
-}
+/// @param what of the message: "case.toml: run.shear_time" @throws InputError beyond most_steps
+std::int64_t steps_of(double shear_times, const FlowParameters& parameters, const std::string& what);
 
-/// Every so many shear times, at least one step apart; 0: never.
-inline Schedule schedule_of(double shear_times, const FlowParameters& parameters) {
-  if (shear_times == 0.0) return {};
-  return {std::max<std::int64_t>(1, steps_of(shear_times, parameters))};
-}
+/// The last step of the run, by run.shear_time. @throws InputError beyond most_steps
+std::int64_t last_step_of(const Case& the_case, const FlowParameters& parameters);
+
+/// Every so many shear times, at least one step apart, and beyond the end of any run if that is more than
+/// most_steps; 0: never.
+Schedule schedule_of(double shear_times, const FlowParameters& parameters);
 
 }  // namespace tanktread::driver

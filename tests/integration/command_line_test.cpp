@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "tests/integration/program.hpp"
@@ -25,6 +26,67 @@ TEST(CommandLine, ResumeWantsTheOutputOfARun) {
   const auto ended = run_program({"run", "--resume", directory.path().string()});
   EXPECT_EQ(ended.exit_code, 2);
   EXPECT_THAT(ended.output, HasSubstr("not the output of a run"));
+}
+
+const std::string quick_case =
+    "[flow]\nbox = [24, 24, 24]\nwall_speed = 0.03\n[[capsule]]\nradius = 5.0\nposition = [12.0, 12.0, "
+    "12.0]\n"
+    "mesh = { level = 1 }\n[membrane]\ncapillary_number = 0.3\n[run]\nshear_time = 0.02\nthreads = 1\n";
+
+TEST(CommandLine, NumbersOfStepsThatNoRunCanHaveAreRefusedBeforeAnythingIsWritten) {
+  const TemporaryDirectory directory;
+  std::ofstream(directory / "case.toml") << quick_case;
+  const auto case_file = (directory / "case.toml").string(), output = (directory / "output").string();
+  const std::vector<std::pair<std::vector<std::string>, std::string>> all = {
+      {{"--shear-time", "1e18"}, "run.shear_time = 1e+18"},
+      {{"--shear-time", "nan"}, "--shear-time nan"},
+      {{"--set", "flow.wall_speed=1e-300"}, "run.shear_time"},
+      {{"--set", "membrane.viscous.interval=3000000000"}, "membrane.viscous.interval"},
+      {{"--set", "output.fluid_box=[[0, 4294967297], [0, 1], [0, 1]]"}, "output.fluid_box"},
+      {{"--threads", "99999999999"}, "--threads 99999999999"},
+      {{"--record", (directory / "record").string(), "--from", "0x10"}, "--from 0x10"},
+      {{"--record", (directory / "record").string(), "--to", "99999999999"}, "--to 99999999999"},
+  };
+  for (const auto& [more, message] : all) {
+    std::vector<std::string> arguments = {"run", case_file, "--output", output};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto ended = run_program(arguments);
+    EXPECT_EQ(ended.exit_code, 2) << message;
+    EXPECT_THAT(ended.output, HasSubstr(message));
+    EXPECT_FALSE(std::filesystem::exists(output)) << message;
+    EXPECT_FALSE(std::filesystem::exists(directory / "record")) << message;
+  }
+}
+
+TEST(CommandLine, AnIntervalBeyondTheEndWritesTheStartAndTheEnd) {
+  const TemporaryDirectory directory;
+  std::ofstream(directory / "case.toml") << quick_case;
+  const auto ended =
+      run_program({"run", (directory / "case.toml").string(), "--output", (directory / "output").string(),
+                   "--set", "output.membrane_every=1e18", "--set", "output.fluid_every=1e300"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.output;
+  // 0.02 shear times of 400 steps.
+  for (const std::string kind : {"membrane", "fluid"}) {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(directory / "output" / kind))
+      names.push_back(entry.path().stem().string());
+    EXPECT_THAT(names, ::testing::UnorderedElementsAre(kind + "_0000000000", kind + "_0000000008"));
+  }
+}
+
+TEST(CommandLine, AStepIsDecimalHoweverManyZerosItBeginsWith) {
+  const TemporaryDirectory directory;
+  std::ofstream(directory / "case.toml") << quick_case;
+  const auto ended =
+      run_program({"run", (directory / "case.toml").string(), "--output", (directory / "output").string(),
+                   "--record", (directory / "record").string(), "--from", "0000000004", "--to", "08"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.output;
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(directory / "record" / "grid_force"))
+    names.push_back(entry.path().stem().string());
+  EXPECT_THAT(names, ::testing::UnorderedElementsAre("grid_force_0000000005", "grid_force_0000000006",
+                                                     "grid_force_0000000007", "grid_force_0000000008"));
+  EXPECT_EQ(run_program({"mesh", "sphere", "--level", "010", (directory / "s.vtu").string()}).exit_code, 2);
 }
 
 TEST(CommandLine, AFullOutputDirectoryIsRefusedBeforeThePlan) {

@@ -138,7 +138,7 @@ TEST(Schema, PathsOfCapsules) {
 TEST(Schema, AllowedText) {
   EXPECT_EQ(allowed_text(*find_key("flow.relaxation_time")), "a number > 0.5");
   EXPECT_EQ(allowed_text(*find_key("flow.collision")), "one of \"trt\", \"bgk\"");
-  EXPECT_EQ(allowed_text(*find_key("flow.box")), "three integers >= 4");
+  EXPECT_EQ(allowed_text(*find_key("flow.box")), "three integers >= 4 and <= 100000");
   EXPECT_EQ(allowed_text(*find_key("capsule.0.mesh.level")), "an integer >= 0 and <= 8");
   EXPECT_EQ(allowed_text(*find_key("membrane.poisson_ratio")), "a number > -1 and < 1");
   EXPECT_EQ(allowed_text(*find_key("flow.inertia")), "true or false");
