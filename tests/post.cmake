@@ -30,10 +30,12 @@ tanktread_python_test(post_case_analysis)
 tanktread_python_test(post_compare)
 tanktread_python_test(post_convert ARGUMENTS $<TARGET_FILE:tanktread>)
 tanktread_python_test(post_convert_series ARGUMENTS $<TARGET_FILE:tanktread>)
+tanktread_python_test(post_exit_codes)
 tanktread_python_test(post_measured)
 tanktread_python_test(post_paraview DISPLAY)
 tanktread_python_test(post_picture DISPLAY)
 tanktread_python_test(post_study)
+tanktread_python_test(post_surface_files)
 tanktread_python_test(post_viscous_capsule)
 
 add_test(NAME include_graph

@@ -1,13 +1,13 @@
 """The commands of tanktread_post.
 
-Exit codes: 0, 1 (a comparison outside its band, a run not finished), 2 (bad input).
+Exit codes: 0, 1 (a comparison outside its band, a run not finished), 2 (bad input), 3 (a fault of ours).
 """
 
 import argparse
 import pathlib
 import sys
 
-from . import case_results, measured, observables, run_folder, surface
+from . import case_results, exit_codes, measured, observables, run_folder, surface
 
 
 def build_parser():
@@ -46,7 +46,7 @@ def build_parser():
 
 
 def _add_convert_surface(commands):
-    text = "a closed surface of another format (.stl, .obj, .ply, .off, .msh) as .vtu, or back; repaired and checked"
+    text = "a closed surface of another format (.stl, .obj, .ply, .off, .msh, .vtp) as .vtu, or back; repaired and checked"
     command = commands.add_parser("convert-surface", help=text, description=text)
     command.add_argument("source", type=pathlib.Path, metavar="IN")
     command.add_argument("target", type=pathlib.Path, nargs="?", metavar="OUT", help="may be left out with --check-only")
@@ -120,11 +120,7 @@ def _convert_series(arguments):
 def main():
     """Runs the command of the command line; the exit code."""
     arguments = build_parser().parse_args()
-    try:
-        return arguments.call(arguments)
-    except observables.InputError as error:
-        print(f"tanktread_post: error: {error}", file=sys.stderr)
-        return 2
+    return exit_codes.ended("tanktread_post", lambda: arguments.call(arguments))
 
 
 if __name__ == "__main__":

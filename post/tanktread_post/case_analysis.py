@@ -22,6 +22,7 @@ import typing
 
 from .observables import InputError
 from .reference import ANALYSE, check_keys, read_comparison
+from .table import Table
 
 FUNCTIONS = ("tables", "pictures")  # that it must have
 
@@ -47,7 +48,21 @@ def load(case):
         raise InputError(f"{file}: it must have the function{'s'[: len(missing) - 1]} {' and '.join(f'{name}(output, case)' for name in missing)}")
     check_keys(f"{file.with_name('compare.toml')}: [analyse]", read_comparison(case)["analyse"], getattr(module, "SETTINGS", ((), ())))
     given = {"measured": getattr(module, "measured", None), "breakdown_is_a_result": getattr(module, "BREAKDOWN_IS_A_RESULT", None)}
-    return CaseAnalysis(module.tables, module.pictures, **{name: value for name, value in given.items() if value is not None})
+    tables = _giving(file, module.tables, lambda one: isinstance(one, Table), "Table (table.py)")
+    pictures = _giving(file, module.pictures, lambda one: pathlib.Path(one).is_file(), "files that are there")
+    return CaseAnalysis(tables, pictures, **{name: value for name, value in given.items() if value is not None})
+
+
+def _giving(file, function, good, words):
+    """The function, whose results must be lists of what is good."""
+
+    def checked(output, case):
+        made = function(output, case)
+        if not (isinstance(made, list) and all(good(one) for one in made)):
+            raise InputError(f"{file}: {function.__name__}(output, case) gives {made!r}, must be a list of {words}")
+        return made
+
+    return checked
 
 
 def module_of(file):

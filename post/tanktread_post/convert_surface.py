@@ -44,7 +44,7 @@ def _require_options(scale, merge_tolerance):
 
 
 def _target_suffix(target, ascii, force):
-    suffix = surface_files.suffix_of(target)
+    suffix = surface_files.suffix_of(target, surface_files.WRITTEN)
     if ascii and suffix not in surface_files.HAVE_TEXT_AND_BINARY:
         forms = ", ".join(surface_files.HAVE_TEXT_AND_BINARY)
         raise InputError(f"{target}: --ascii is for {forms} only; .obj and .off are always text, a .vtu never (it would lose digits)")

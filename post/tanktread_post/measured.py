@@ -10,6 +10,7 @@ import pathlib
 import shutil
 import subprocess
 
+from . import going_on
 from .observables import InputError, Observables
 from .run_folder import is_finished, read_cost, read_echo, read_parameters
 
@@ -106,7 +107,7 @@ def _add_block(file, columns, directory, run, rows, command):
 
 def _refuse_what_cannot_be_added(directory, run, command):
     if not is_finished(directory):
-        raise InputError(f"{directory}: the run is not finished; go on with: tanktread run --resume {directory}")
+        raise InputError(f"{directory}: the run is not finished; go on with: {going_on.command(directory)}")
     if "," in run or "\n" in command:
         raise InputError(f"run '{run}', command '{command}': no commas in a run's name, no line breaks in a command")
 

@@ -5,6 +5,8 @@ import pathlib
 
 import numpy
 
+from . import going_on
+
 
 class InputError(Exception):
     """A file is missing or not what it should be; the message names it and says what to do."""
@@ -17,16 +19,23 @@ class Observables:
         self.file = pathlib.Path(directory) / "observables.csv"
         if not self.file.is_file():
             raise InputError(f"{self.file}: there is no such file; is {directory} the output of a run?")
+        try:
+            names, rows = self._read(capsule)
+            self.columns = {name: numpy.array([float(row[name]) for row in rows]) for name in names}
+        except (ValueError, csv.Error) as error:
+            raise InputError(f"{self.file}: {error}; it is damaged") from error
+        if not rows:
+            raise InputError(f"{self.file}: it has no rows of capsule {capsule}")
+
+    def _read(self, capsule):
+        """The names of the columns, and the rows of a capsule."""
         with open(self.file, newline="") as stream:
             reader = csv.DictReader(stream)
             names = reader.fieldnames or []
             if "shear_time" not in names or "capsule" not in names:
                 raise InputError(f"{self.file}: its first line does not name the columns shear_time and capsule")
             # A row that a killed run left unfinished has fewer fields: it is not a row yet.
-            rows = [row for row in reader if None not in row.values() and int(row["capsule"]) == capsule]
-        if not rows:
-            raise InputError(f"{self.file}: it has no rows of capsule {capsule}")
-        self.columns = {name: numpy.array([float(row[name]) for row in rows]) for name in names}
+            return names, [row for row in reader if None not in row.values() and int(row["capsule"]) == capsule]
 
     def __getitem__(self, name):
         if name not in self.columns:
@@ -42,11 +51,11 @@ class Observables:
     def at(self, name, shear_time):
         """The value at a shear time, by linear interpolation between two rows; never beyond the last step."""
         times, values = self["shear_time"], self[name]
-        if shear_time < times[0] or not self.reaches(shear_time):
-            raise InputError(
-                f"{self.file}: shear time {shear_time:g} is outside {times[0]:.6g} to {times[-1]:.6g}; "
-                "the run must go on to it (tanktread run --resume DIR --shear-time T)"
-            )
+        if shear_time < times[0]:
+            raise InputError(f"{self.file}: shear time {shear_time:g} is before the first one, {times[0]:.6g}")
+        if not self.reaches(shear_time):
+            fix = going_on.command(self.file.parent, shear_time)
+            raise InputError(f"{self.file}: shear time {shear_time:g} is outside {times[0]:.6g} to {times[-1]:.6g}; the run must go on to it: {fix}")
         return float(numpy.interp(shear_time, times, values))
 
     def mean(self, name, start, end):

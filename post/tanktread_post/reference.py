@@ -43,6 +43,7 @@ import pathlib
 import tomllib
 
 from .observables import InputError
+from .table import SIDES
 
 
 # The keys of compare.toml: those an entry must have, those it may have.
@@ -53,6 +54,19 @@ ENTRIES = {
     "change": (("name", "from", "to"), ("shear_time", "mean_over", "band", "reference")),
     "snapshot": (("run", "shear_time", "label"), ("field",)),
     "picture": (("file", "name", "runs"), ()),
+}
+REFERENCES = {"file": (("file", "where", "column"), ("factor",)), "table": (("table", "where", "column"), ())}
+NUMBER, TEXT = (int, float), (str,)
+# What a key of any of them must be, and how that is called.
+KINDS = {
+    **dict.fromkeys(("title", "source", "run", "name", "table", "column", "x", "y", "from", "to", "label", "field", "file"), (TEXT, "a text")),
+    **dict.fromkeys(("shear_time", "factor"), (NUMBER, "a number")),
+    "reference": ((int, float, dict), "a number, or a table that says where one stands"),
+    "where": ((dict,), "a table of columns and their values"),
+    "relative": ((bool,), "true or false"),
+    "runs": ((list,), "a list of runs"),
+    "read_at": ((list,), "a list of shear times"),
+    **dict.fromkeys(("arguments", "lines"), ((list,), "a list of texts")),
 }
 ANALYSE = "analyse.py"  # of a case folder: its own tables and pictures
 PICTURED = ("deformation", "inclination_deg")  # the quantities that a [[picture]] may be of
@@ -82,6 +96,34 @@ def check_keys(place, table, keys):
             raise InputError(f"{place}: there is no key '{name}'; there are: {', '.join(must + may)}")
 
 
+def check_kinds(place, table):
+    """Refuses a value that is not of the kind its key is of."""
+    for key, value in table.items():
+        kinds, words = KINDS.get(key, ((object,), ""))
+        if not isinstance(value, kinds) or (isinstance(value, bool) and kinds in (NUMBER, KINDS["reference"][0])):
+            raise InputError(f"{place}: {key} = {value!r}, must be {words}")
+        if key == "read_at" and not all(isinstance(time, NUMBER) for time in value):
+            raise InputError(f"{place}: {key} = {value!r}, must be {words}")
+        if key == "band" and not (value in SIDES or (isinstance(value, NUMBER) and value >= 0)):
+            raise InputError(f"{place}: band = {value!r}, must be a number that is not negative, or one of {', '.join(SIDES)}")
+        if key in ("means_over", "mean_over") and not (
+            isinstance(value, list) and len(value) == 2 and all(isinstance(time, NUMBER) for time in value) and value[0] < value[1]
+        ):
+            raise InputError(f"{place}: {key} = {value}, must be two shear times, the first before the second, as [15, 30]")
+
+
+def checked_entries(file, wanted, all_keys):
+    """{name: its entries [[name]]}, each with the keys that it must and may have."""
+    found = {name: wanted.get(name, []) for name in all_keys}
+    for name, entries in found.items():
+        if not isinstance(entries, list):
+            raise InputError(f"{file}: {name} must be written [[{name}]], as often as there are any")
+        for number, entry in enumerate(entries, 1):
+            check_keys(f"{file}: [[{name}]] number {number}", entry, all_keys[name])
+            check_kinds(f"{file}: [[{name}]] number {number}", entry)
+    return found
+
+
 def read_toml(file):
     """A TOML file as a dictionary."""
     if not file.is_file():
@@ -89,7 +131,7 @@ def read_toml(file):
     try:
         with open(file, "rb") as stream:
             return tomllib.load(stream)
-    except tomllib.TOMLDecodeError as error:
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise InputError(f"{file}: {error}") from None
 
 
@@ -97,13 +139,13 @@ def _check_comparison(file, wanted):
     check_keys(file, wanted, (MAIN[0], MAIN[1] + tuple(ENTRIES) + ("analyse",)))
     if "analyse" in wanted and not file.with_name(ANALYSE).is_file():
         raise InputError(f"{file}: [analyse] is for {file.with_name(ANALYSE)}, and there is no such file")
-    stretch = wanted.get("means_over", [0, 1])
-    if not (isinstance(stretch, list) and len(stretch) == 2 and all(isinstance(t, (int, float)) for t in stretch) and stretch[0] < stretch[1]):
-        raise InputError(f"{file}: means_over = {stretch}, must be two shear times, the first before the second, as [15, 30]")
-    for name, keys in ENTRIES.items():
-        for number, entry in enumerate(wanted.get(name, []), 1):
+    check_kinds(file, wanted)
+    for name, entries in checked_entries(file, wanted, ENTRIES).items():
+        for number, entry in enumerate(entries, 1):
             place = f"{file}: [[{name}]] number {number}"
-            check_keys(place, entry, keys)
+            if isinstance(entry.get("reference"), dict):
+                check_keys(f"{place}: reference", entry["reference"], REFERENCES["table" if "table" in entry["reference"] else "file"])
+                check_kinds(f"{place}: reference", entry["reference"])
             reads_a_run = name == "change" or (name == "value" and "table" not in entry)
             if reads_a_run and ("name" not in entry or ("shear_time" in entry) == ("mean_over" in entry)):
                 raise InputError(f"{place}: it must have `name` and one of `shear_time` and `mean_over`")
@@ -136,6 +178,16 @@ def matching_rows(rows, where):
     return [row for row in rows if all(any(_same(row.get(key, ""), one) for one in wanted) for key, wanted in lists.items())]
 
 
+def number_in(file, column, row):
+    """A cell of a table as a number."""
+    if row.get(column) is None:
+        raise InputError(f"{file}: there is no column '{column}', only {', '.join(map(str, row))}")
+    try:
+        return float(row[column])
+    except ValueError:
+        raise InputError(f"{file}: column '{column}' holds '{row[column]}', which is no number, in the row {', '.join(map(str, row.values()))}") from None
+
+
 def look_up(folder, reference):
     """The number of a `reference` entry of compare.toml; its file is taken from the folder."""
     if not isinstance(reference, dict):
@@ -145,9 +197,7 @@ def look_up(folder, reference):
     found = matching_rows(read_table(file), where)
     if len(found) != 1:
         raise InputError(f"{file}: {len(found)} rows have {where}; exactly one must")
-    if reference["column"] not in found[0]:
-        raise InputError(f"{file}: there is no column '{reference['column']}', only {', '.join(found[0])}")
-    return reference.get("factor", 1.0) * float(found[0][reference["column"]])
+    return reference.get("factor", 1.0) * number_in(file, reference["column"], found[0])
 
 
 def read_comparison(case):

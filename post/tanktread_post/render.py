@@ -17,6 +17,7 @@ from vtkmodules.vtkRenderingCore import (
 from . import scene, series
 from .observables import InputError
 from .run_folder import read_echo
+from .vtk_reading import read_by
 
 WIDTH, HEIGHT = 1200, 900
 
@@ -30,11 +31,10 @@ def _require_display():
 def _read(reader, file):
     if not file.is_file():
         raise InputError(f"{file}: the series names this file, and it is not there")
-    reader.SetFileName(str(file))
-    reader.Update()
-    if reader.GetOutput().GetNumberOfPoints() == 0:
-        raise InputError(f"{file}: cannot be read, or holds nothing")
-    return reader.GetOutput()
+    data = read_by(reader, file)
+    if data.GetNumberOfPoints() == 0:
+        raise InputError(f"{file}: it holds no points")
+    return data
 
 
 def _look_along_vorticity(renderer, axes, bounds):

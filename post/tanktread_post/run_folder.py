@@ -2,9 +2,9 @@
 
 import pathlib
 import re
-import tomllib
 
 from .observables import InputError, Observables
+from .reference import read_toml
 
 
 def _laid_over(shared, own):
@@ -12,20 +12,36 @@ def _laid_over(shared, own):
     return shared | {key: _laid_over(shared.get(key, {}), value) if isinstance(value, dict) else value for key, value in own.items()}
 
 
+class _Table(dict):
+    """A table of a file: a key that is missing is named with the file."""
+
+    def __init__(self, file, values):
+        super().__init__({key: _of(file, value) for key, value in values.items()})
+        self.file = file
+
+    def __missing__(self, key):
+        raise InputError(f"{self.file}: the key '{key}' is missing; it is not as tanktread writes it")
+
+
+def _of(file, value):
+    if isinstance(value, list):
+        return [_of(file, one) for one in value]
+    return _Table(file, value) if isinstance(value, dict) else value
+
+
 def _read_toml(directory, name):
     """A file of the folder as a dictionary."""
     file = pathlib.Path(directory) / name
     if not file.is_file():
         raise InputError(f"{file}: there is no such file; is {directory} the output of a run?")
-    with open(file, "rb") as stream:
-        return tomllib.load(stream)
+    return _Table(file, read_toml(file))
 
 
 def read_echo(directory):
     """echo.toml: the case that made this folder, as a dictionary. Each capsule has its whole membrane."""
     echo = _read_toml(directory, "echo.toml")
     for capsule in echo.get("capsule", []):
-        capsule["membrane"] = _laid_over(echo.get("membrane", {}), capsule.get("membrane", {}))
+        capsule["membrane"] = _Table(echo.file, _laid_over(echo.get("membrane", {}), capsule.get("membrane", {})))
     return echo
 
 
@@ -39,10 +55,18 @@ def is_run(directory):
     return (pathlib.Path(directory) / "echo.toml").is_file()
 
 
+def end_of(directory):
+    """The shear time that the case asks for."""
+    end = read_echo(directory)["run"]["shear_time"]
+    if isinstance(end, (int, float)):
+        return end
+    raise InputError(f"{directory}/echo.toml: run.shear_time is {end!r}, must be a number; it is not as tanktread writes it")
+
+
 def is_finished(directory):
     """Whether the run has reached the end that its case asks for."""
     try:
-        return Observables(directory).reaches(read_echo(directory)["run"]["shear_time"])
+        return Observables(directory).reaches(end_of(directory))
     except InputError:
         return False
 

@@ -13,9 +13,11 @@ def read_series(file):
         return []
     try:
         entries = xml.etree.ElementTree.parse(file).iter("DataSet")
-    except xml.etree.ElementTree.ParseError as error:
-        raise InputError(f"{file}: not a .pvd: {error}") from error
-    return [(float(entry.get("timestep")), file.parent / entry.get("file")) for entry in entries]
+        return [(float(entry.attrib["timestep"]), file.parent / entry.attrib["file"]) for entry in entries]
+    except (xml.etree.ElementTree.ParseError, ValueError) as error:
+        raise InputError(f"{file}: not a .pvd, or damaged: {error}") from error
+    except KeyError as error:
+        raise InputError(f"{file}: not a .pvd, or damaged: an entry has no {error}") from error
 
 
 def at(file, shear_time):

@@ -21,13 +21,14 @@ import pathlib
 import numpy
 
 from .observables import InputError
-from .reference import check_keys, look_up, matching_rows, read_table, read_toml
+from .reference import check_keys, checked_entries, look_up, matching_rows, number_in, read_table, read_toml
 
 # The keys of study.toml: those an entry must have, those it may have.
 ENTRIES = {
     "table": (("file", "arguments"), ()),
     "plot": (("file", "table", "x", "y"), ("where", "lines", "x_label", "y_label", "reference")),
 }
+REFERENCE = (("file", "x", "y"), ("where", "factor"))
 
 
 def read_study(case):
@@ -35,10 +36,10 @@ def read_study(case):
     file = pathlib.Path(case) / "study.toml"
     wanted = read_toml(file)
     check_keys(file, wanted, ((), tuple(ENTRIES)))
-    for name, keys in ENTRIES.items():
-        for number, entry in enumerate(wanted.get(name, []), 1):
-            check_keys(f"{file}: [[{name}]] number {number}", entry, keys)
-    for plot in wanted.setdefault("plot", []):
+    checked_entries(file, wanted, ENTRIES)
+    for number, plot in enumerate(wanted.setdefault("plot", []), 1):
+        if "reference" in plot:
+            check_keys(f"{file}: [[plot]] number {number}: reference", plot["reference"], REFERENCE)
         plot.setdefault("where", {})
         plot.setdefault("lines", [])
         plot.setdefault("x_label", plot["x"])
@@ -58,9 +59,9 @@ def choose_tables(study, names):
 
 def column(rows, name, file):
     """A column of a table as numbers."""
-    if not rows or name not in rows[0]:
-        raise InputError(f"{file}: there is no column '{name}'" + (f", only {', '.join(rows[0])}" if rows else ""))
-    return numpy.array([float(row[name]) for row in rows])
+    if not rows:
+        raise InputError(f"{file}: there is no row to take the column '{name}' of")
+    return numpy.array([number_in(file, name, row) for row in rows])
 
 
 def lines_of(output, plot):
@@ -69,6 +70,9 @@ def lines_of(output, plot):
     rows = matching_rows(read_table(file), plot["where"])
     lines = {}
     for row in rows:
+        missing = [name for name in plot["lines"] if name not in row]
+        if missing:
+            raise InputError(f"{file}: there is no column '{missing[0]}', only {', '.join(row)}")
         lines.setdefault(", ".join(row[name] for name in plot["lines"]), []).append(row)
     return {label: _sorted(column(group, plot["x"], file), column(group, plot["y"], file)) for label, group in lines.items()}
 

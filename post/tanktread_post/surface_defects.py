@@ -3,10 +3,12 @@
 Nodes and faces go by their numbers in the file, from 0, and by their positions.
 """
 
+import itertools
+
 import numpy
 
 from .observables import InputError
-from .surface import n_fans
+from .surface import Edges, n_fans
 
 MOST_PLACES = 3  # that a message names
 LOWEST = 1e-6  # height of a triangle, as a fraction of the size: the rounding of single precision, and some
@@ -35,7 +37,7 @@ def require_closed(surface, edges, parts, merge_tolerance, file):
         _of_edges(surface, edges, edges.n_triangles == 1, "the surface is open: {count} with one triangle only",
                   f"close the holes where it was made, or raise --merge-tolerance ({merge_tolerance:g}) if its seams do not meet"),
         _of_edges(surface, edges, several, "{count} with three triangles or more",
-                  "take the inner walls and sheets out where it was made, or take one part with --body"),
+                  "take the inner walls and sheets out where it was made" + _closed_parts(surface, parts, several)),
         # Walls that meet part the surface in pieces that are no bodies.
         None if several.any() else _of_bodies(surface, parts),
         _of_areas(surface),
@@ -98,6 +100,14 @@ def _of_edges(surface, edges, wrong, what, fix):
         faces = ", ".join(str(surface.faces[triangle]) for triangle in edges.triangles_at(edge))
         places.append(f"from {a} to {b} (face {faces})")
     return f"{what.format(count=counted(len(chosen), 'edge'))}: {_listed(places, len(chosen))}; {fix}"
+
+
+def _closed_parts(surface, parts, several):
+    """How to take a part that is closed by itself, if there is one: walls cut others open."""
+    if not several.any():
+        return ""
+    closed = (body for body in range(int(parts.max()) + 1) if (Edges(surface.of_triangles(parts == body).triangles).n_triangles == 2).all())
+    return "".join(f", or take the part that is closed by itself: --body {body}" for body in itertools.islice(closed, 1))
 
 
 def _of_bodies(surface, parts):

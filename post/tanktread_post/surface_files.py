@@ -1,73 +1,91 @@
-"""Surfaces of triangles in the formats of other programs, through meshio."""
+"""Surfaces of triangles in the formats of other programs."""
 
 import pathlib
 
 import meshio
 import numpy
 
+from . import gmsh_surfaces, ply_surfaces, text_surfaces, vtk_surfaces
+from .faces import triangles_of
 from .observables import InputError
 from .surface import Surface
 
-# What meshio cannot read, though other programs write it: it often says no more than "cannot reshape array".
-LIMITS = {
-    ".stl": "ASCII STL must be in small letters and without a blank line at its end",
-    ".obj": "it must have faces of absolute node numbers and nothing else but v, vt, vn, g, s",
-    ".ply": "the list of a face must be named vertex_indices; a binary PLY may have no other property of faces",
-    ".off": "its first line must be OFF alone, its counts parted by single blanks; triangles only, no colours, no comments further down",
-    ".msh": "it must be a Gmsh file of version 2.2, 4.0 or 4.1",
-    ".vtu": "it must be a VTK unstructured grid of file version 0.1 or 1.0, uncompressed, zlib or lzma",
-}
+
+def _read_stl(file):
+    """A binary STL by meshio, where the number in its head is that of its length; else one in ASCII."""
+    with open(file, "rb") as stream:
+        start = stream.read(84)
+    n_bytes, n_triangles = file.stat().st_size, int.from_bytes(start[80:], "little")
+    if n_bytes == 84 + 50 * n_triangles:
+        return meshio.stl.read(str(file))
+    if start.lstrip().lower().startswith(b"solid"):
+        return text_surfaces.read_stl(file)
+    raise InputError(
+        f"{file}: it is no STL in ASCII, which begins with 'solid', nor a binary one: {n_triangles} triangles, as its head says, are "
+        f"{84 + 50 * n_triangles} bytes, it has {n_bytes}; it is damaged or cut off: write or copy it again"
+    )
+
+
 READERS = {
-    ".stl": meshio.stl.read,
-    ".obj": meshio.obj.read,
-    ".ply": meshio.ply.read,
-    ".off": meshio.off.read,
-    ".msh": meshio.gmsh.read,
-    ".vtu": meshio.vtu.read,
+    ".stl": _read_stl,
+    ".obj": text_surfaces.read_obj,
+    ".ply": ply_surfaces.read,
+    ".off": text_surfaces.read_off,
+    ".msh": gmsh_surfaces.read,
+    ".vtu": vtk_surfaces.read,
+    ".vtp": vtk_surfaces.read,
 }
+WRITTEN = (".stl", ".obj", ".ply", ".off", ".msh", ".vtu")
 HAVE_TEXT_AND_BINARY = (".stl", ".ply", ".msh")
 FLAT = {"triangle", "quad", "polygon"}
 
 
-def suffix_of(file):
-    """The suffix in small letters, if it is one of ours. @throws InputError"""
+def suffix_of(file, known=tuple(READERS)):
+    """The suffix in small letters, if it is one of the known. @throws InputError"""
     suffix = pathlib.Path(file).suffix.lower()
-    if suffix not in READERS:
-        raise InputError(f"{file}: its name must end with one of {', '.join(READERS)}, which says the format")
+    if suffix not in known:
+        raise InputError(f"{file}: its name must end with one of {', '.join(known)}, which says the format")
     return suffix
 
 
 def read_mesh(file):
-    """The file as meshio reads it. meshio's readers let through what their parsers throw, so any exception is a refusal."""
+    """The whole file as a meshio.Mesh, with as many points and cells as its head says. Whatever a reader throws is a refusal."""
     file, suffix = pathlib.Path(file), suffix_of(file)
     if not file.is_file():
         raise InputError(f"{file}: there is no such file")
     if file.stat().st_size == 0:
         raise InputError(f"{file}: it is empty")
     try:
-        return READERS[suffix](str(file))
+        return READERS[suffix](file)
+    except (InputError, OSError):
+        raise
     except Exception as error:
-        words = f"{type(error).__name__}: {error}" if str(error) else f"{type(error).__name__}, without a reason"
-        raise InputError(
-            f"{file}: meshio cannot read it ({words}); it may be damaged or cut off. Otherwise: {LIMITS[suffix]}; "
-            "another program, such as MeshLab, can write it anew"
-        ) from error
+        words = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
+        raise InputError(f"{file}: it cannot be read ({words}); it is damaged, cut off, or not of the format that its name says") from error
 
 
 def read_surface(file):
-    """(Surface, notes): all triangles of the file and its quadrilaterals, each split in two. @throws InputError"""
+    """(Surface, notes): all triangles of the file, and its faces of more corners, split. @throws InputError"""
     mesh = read_mesh(file)
     points = _coordinates(numpy.asarray(mesh.points), file)
     flat = [block for block in mesh.cells if block.type in FLAT and len(block.data)]
     others = sorted({block.type for block in mesh.cells} - FLAT)
-    _require_triangles_or_quads(flat, others, file)
+    _require_faces(flat, others, file)
     _require_nodes_that_exist(flat, len(points), file)
-    triangles, faces = _triangles(points, flat)
+    triangles, faces = triangles_of(points, [block.data for block in flat], file)
     notes = [f"left out: cells of kind {', '.join(others)}"] if others else []
-    n_quads = len(triangles) - faces[-1] - 1
-    if n_quads:
-        notes.append(f"split {n_quads} quadrilaterals into two triangles each, along the shorter diagonal")
-    return Surface(points, triangles, numpy.arange(len(points)), faces), notes
+    arrays = [*mesh.point_data, *mesh.cell_data]
+    if arrays:
+        notes.append(f"left out: arrays {', '.join(arrays)}")
+    return Surface(points, triangles, numpy.arange(len(points)), faces), notes + _notes_of_splitting(flat)
+
+
+def _notes_of_splitting(flat):
+    """A line for the faces of four corners, and one for those of more."""
+    n_quads = sum(len(block.data) for block in flat if block.data.shape[1] == 4)
+    n_polygons = sum(len(block.data) for block in flat if block.data.shape[1] > 4)
+    notes = [f"split {n_quads} quadrilaterals into two triangles each, along the shorter diagonal"] if n_quads else []
+    return notes + ([f"split {n_polygons} faces of five corners or more into triangles"] if n_polygons else [])
 
 
 def _coordinates(points, file):
@@ -78,20 +96,15 @@ def _coordinates(points, file):
     return numpy.array(points[:, :3], dtype=float)
 
 
-def _require_triangles_or_quads(flat, others, file):
+def _require_faces(flat, others, file):
     curved = [kind for kind in others if kind.startswith(("triangle", "quad"))]
     if curved:
-        raise InputError(f"{file}: it has curved cells ({', '.join(curved)}); write it with straight ones (gmsh -order 1)")
-    corners = sorted({block.data.shape[1] for block in flat} - {3, 4})
-    if corners and corners[0] < 3:
-        raise InputError(f"{file}: a face has {corners[0]} corners only; the file is damaged or cut off")
-    if corners:
-        raise InputError(
-            f"{file}: it has faces of {', '.join(map(str, corners))} corners; triangulate it where it was made "
-            "(Blender: Triangulate Faces; MeshLab: Turn into a Pure-Triangular mesh)"
-        )
+        raise InputError(f"{file}: it has curved cells ({', '.join(curved)}), whose shape would be lost; write it with straight ones, of order 1")
+    fewest = min((block.data.shape[1] for block in flat), default=3)
+    if fewest < 3:
+        raise InputError(f"{file}: a face has {fewest} corners only; the file is damaged or cut off")
     if not flat:
-        only = f", only cells of kind {', '.join(others)}; triangulate its surface" if others else ""
+        only = f", only cells of kind {', '.join(others)}; write its surface" if others else ""
         raise InputError(f"{file}: there are no triangles{only}")
 
 
@@ -101,33 +114,8 @@ def _require_nodes_that_exist(flat, n_points, file):
         wrong = numpy.argwhere((block.data < 0) | (block.data >= n_points))
         if len(wrong):
             face, corner = wrong[0]
-            raise InputError(
-                f"{file}: face {first + face} names node {block.data[face, corner]}, of 0 to {n_points - 1}; "
-                "an OBJ must have absolute node numbers (not negative ones)"
-            )
+            raise InputError(f"{file}: face {first + face} names node {block.data[face, corner]}, of 0 to {n_points - 1}; the file is damaged")
         first += len(block.data)
-
-
-def _triangles(points, flat):
-    """(triangles, the number of the face that each comes from); faces are numbered in the order of the file."""
-    triangles, faces, first = [], [], 0
-    for block in flat:
-        data, numbers = numpy.asarray(block.data, dtype=numpy.int64), first + numpy.arange(len(block.data))
-        first += len(data)
-        if data.shape[1] == 4:
-            data, numbers = _split(points, data), numpy.repeat(numbers, 2)
-        triangles.append(data)
-        faces.append(numbers)
-    return numpy.concatenate(triangles), numpy.concatenate(faces)
-
-
-def _split(points, quads):
-    """Two triangles a quadrilateral, wound as it is, along the shorter diagonal."""
-    with numpy.errstate(invalid="ignore"):  # what is not finite is refused later, with its place
-        diagonal = [numpy.linalg.norm(points[quads[:, k]] - points[quads[:, k + 2]], axis=1) for k in (0, 1)]
-    turned = (diagonal[1] < diagonal[0])[:, None]
-    a, b, c, d = numpy.where(turned, numpy.roll(quads, -1, axis=1), quads).T
-    return numpy.stack([a, b, c, a, c, d], axis=1).reshape(-1, 3)
 
 
 def write_surface(file, suffix, surface, ascii=False, gmsh_version="4.1"):

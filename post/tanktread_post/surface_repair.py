@@ -6,7 +6,7 @@ from vtkmodules.vtkCommonDataModel import vtkPointLocator
 
 from . import surface_defects
 from .observables import InputError
-from .surface import MERGE_TOLERANCE, Edges, flood
+from .surface import MERGE_TOLERANCE, Edges, Surface, flood
 
 
 def repaired(surface, file, merge_tolerance=MERGE_TOLERANCE, body=None):
@@ -39,13 +39,15 @@ def _merged(surface, distance, file):
     """Equal points made one; triangles that collapse by it dropped, and those that are there twice."""
     first, of_point = first_within(surface.points, distance)
     notes = _note("merged", len(surface.points) - len(first), "point", "with another one")
-    surface.triangles = first[of_point][surface.triangles]
-    a, b, c = surface.triangles.T
+    joined = Surface(surface.points, first[of_point][surface.triangles], surface.nodes, surface.faces)
+    a, b, c = joined.triangles.T
     whole = (a != b) & (b != c) & (c != a)
     notes += _note("dropped", int((~whole).sum()), "triangle", "with a corner twice")
     if not whole.any():
-        raise InputError(f"{file}: no triangle is left after merging points nearer than {distance:g}; lower --merge-tolerance")
-    surface = surface.of_triangles(whole)
+        apart = (surface.sides() > 0).all(axis=1).any()
+        fix = "lower --merge-tolerance" if apart else "all of its triangles have two corners at one place: it is no surface"
+        raise InputError(f"{file}: no triangle is left after merging points nearer than {distance:g}; {fix}")
+    surface = joined.of_triangles(whole)
     _, once = numpy.unique(numpy.sort(surface.triangles, axis=1), axis=0, return_index=True)
     notes += _note("dropped", len(surface.triangles) - len(once), "triangle", "with the corners of another one")
     return surface.of_triangles(numpy.sort(once)), notes

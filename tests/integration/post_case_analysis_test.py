@@ -91,6 +91,12 @@ class CaseAnalysis(InFolder):
         self.write("tables = 3\n")
         self.refused("analyse.py: it must have the functions tables(output, case) and pictures(output, case)")
 
+    def test_one_that_gives_something_else_is_refused(self):
+        self.write(ANALYSE.replace("return [Table", "return [('a')] or [Table"))
+        self.assert_refused(["analyse.py: tables(output, case) gives", "must be a list of Table"], case_results.judge, self.output, self.case)
+        self.write(ANALYSE.replace("return [file]", "return [file.with_name('none.png')]"))
+        self.assert_refused(["analyse.py: pictures(output, case) gives", "a list of files that are there"], case_results.draw, self.output, self.case)
+
     def test_one_that_cannot_be_loaded_is_refused(self):
         self.write("def tables(\n")
         self.refused("analyse.py: it cannot be loaded: SyntaxError", "line 1")

@@ -33,7 +33,7 @@ class Reading(InFolder):
 
     def test_never_reads_beyond_the_end(self):
         write_observables(self.folder, [{"shear_time": 0, "deformation": 0}, {"shear_time": 2, "deformation": 1, "step": 1000}])
-        self.assert_refused(["shear time 2.1 is outside 0 to 2", "--resume"], Observables(self.folder).at, "deformation", 2.1)
+        self.assert_refused(["shear time 2.1 is outside 0 to 2", "tanktread run"], Observables(self.folder).at, "deformation", 2.1)
         # The last step lies within half a step of the end: it is the reading at the end.
         self.assertEqual(Observables(self.folder).at("deformation", 2.0009), 1.0)
         self.assertFalse(Observables(self.folder).reaches(2.0011))

@@ -152,7 +152,7 @@ class Series(InFolder):
         self.refused("there is no folder", target="none/run.xdmf")
         self.refused("choose the name of a new or empty folder", tables=self.folder)
         (self.folder / "membrane_1.vtu").write_text("<VTKFile")
-        self.refused("membrane_1.vtu: meshio cannot read it", tables=self.folder / "tables")
+        self.refused("membrane_1.vtu: it is not VTK's XML", tables=self.folder / "tables")
         (self.folder / "membrane_1.vtu").unlink()
         self.refused("membrane_1.vtu: there is no such file")
 

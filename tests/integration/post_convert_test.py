@@ -156,6 +156,25 @@ class Repairs(Surfaces):
         # Diagonals of the sheared faces: sqrt(0.5^2 + 1) or sqrt(1.5^2 + 1); of the others at most sqrt(2.25).
         self.assertLess(surface.sides().max(), 1.51)
 
+    def test_faces_of_more_corners_are_split(self):
+        # An L of six corners, which no fan about its first one fills, and its copy above it.
+        flat = numpy.array([[1, 0], [2, 0], [2, 2], [0, 2], [0, 1], [1, 1]], float)
+        points = numpy.concatenate([numpy.insert(flat, 2, height, axis=1) for height in (0.0, 1.0)])
+        walls = [[k, (k + 1) % 6, 6 + (k + 1) % 6, 6 + k] for k in range(6)]
+        self.write(points, [[5, 4, 3, 2, 1, 0], *walls, [6, 7, 8, 9, 10, 11]])
+        said = convert_surface.convert(self.folder / "in.obj", self.folder / "out.vtu")
+        self.assertIn("split 2 faces of five corners or more into triangles", said)
+        surface = surface_files.read_surface(self.folder / "out.vtu")[0]
+        self.assertEqual(len(surface.triangles), 2 * 4 + 6 * 2)
+        self.assertAlmostEqual(surface.volume(), 3.0, delta=1e-14)  # roundings of a few numbers below 2
+        self.assertGreater(surface.areas().min(), 0.49)  # the L is made of halves of unit squares, or larger triangles
+
+    def test_what_a_run_says_of_its_membrane_is_left_out_with_a_word(self):
+        arrays = {"area_ratio": [numpy.ones(8)]}
+        meshio.write(self.folder / "in.vtu", meshio.Mesh(self.points, [("triangle", self.triangles)], {"velocity": self.points}, arrays))
+        said = convert_surface.convert(self.folder / "in.vtu", None)
+        self.assertIn("left out: arrays velocity, area_ratio", said)
+
     def test_scale_and_body(self):
         points = numpy.concatenate([self.points, self.points * 3])
         surface, lines = self.convert(points, numpy.concatenate([self.triangles, self.triangles + 6]), body=1, scale=0.5)
@@ -235,15 +254,24 @@ class Refusals(Surfaces):
         self.refused(["1 point without finite coordinates: node 2 at (0, nan, 0)"], self.points, self.triangles)
         self.points[2, 1] = numpy.inf
         self.refused(["node 2 at (0, inf, 0)"], self.points, self.triangles)
-        self.refused(["its points have 2 coordinates"], self.points[:, :2], self.triangles)
+        self.assert_refused("in.obj, line 1: 2 numbers where 3 must be", self.convert, self.points[:, :2], self.triangles)
         self.refused(["names node 6, of 0 to 5"], octahedron(0.0, 1.0)[0], self.triangles + 1)
+
+    def test_two_closed_bodies_whose_euler_numbers_have_the_sum_of_one(self):
+        # nodes - edges + triangles is 0 of a torus and 2 of a tetrahedron: together that of a sphere.
+        ring, around = torus()
+        points = numpy.concatenate([ring, self.points[[0, 2, 4, 1]] + 9])
+        triangles = numpy.concatenate([around, len(ring) + numpy.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]])])
+        self.refused(["2 separate bodies", "body 1 of 4 triangles"], points, triangles)
+        self.refused(["not one sphere", "is 0, must be 2"], points, triangles, body=0)
+        surface, said = self.convert(points, triangles, body=1)
+        self.assertEqual((len(surface.triangles), "took body 1 of 2" in said), (4, True))
 
     def test_cells(self):
         points, quads = CUBE_OF_QUADS
-        self.refused(["faces of 6 corners", "triangulate"], points, [[0, 1, 2, 3, 4, 5]])
+        self.refused(["face 0 of 6 corners is degenerate or cuts through itself"], points, [[0, 1, 2, 3, 0, 1]])
         self.refused(["there are no triangles"], points, [])
-        self.refused(["no triangle is left"], points * 0, quads)
-        for kind, n, words in (("triangle6", 6, ["curved cells (triangle6)", "-order 1"]), ("line", 2, ["no triangles, only cells of kind line"])):
+        for kind, n, words in (("triangle6", 6, ["curved cells (triangle6)", "of order 1"]), ("line", 2, ["no triangles, only cells of kind line"])):
             meshio.write(self.folder / "in.vtu", meshio.Mesh(points, [(kind, [list(range(n))])]))
             self.assert_refused(["in.vtu", *words], convert_surface.convert, self.folder / "in.vtu", None)
 
@@ -255,8 +283,9 @@ class Refusals(Surfaces):
             file.write_bytes(b"")
             self.assert_refused(f"in{suffix}: it is empty", convert_surface.convert, file, out)
             file.write_bytes(bytes(range(256)) * 4)
-            self.assert_refused([f"in{suffix}: meshio cannot read it (", surface_files.LIMITS[suffix]], convert_surface.convert, file, out)
+            self.assert_refused([f"in{suffix}"], convert_surface.convert, file, out)
         self.assert_refused(["in.iges", ".stl, .obj"], convert_surface.convert, self.folder / "in.iges", out)
+        self.assert_refused(["out.vtp", ".msh, .vtu, which"], convert_surface.convert, self.write(self.points, self.triangles), self.folder / "out.vtp")
         self.assertFalse(out.exists())
 
     def test_options(self):

@@ -100,7 +100,7 @@ class Measured(InFolder):
         self.assertFalse((self.folder / "case/measured/results.csv").exists())
 
     def test_refuses_a_run_that_is_not_finished(self):
-        self.assert_refused(["not finished", "--resume"], self.add, "a", 0.04, end=1.0)
+        self.assert_refused(["not finished", "tanktread run"], self.add, "a", 0.04, end=1.0)
 
 
 if __name__ == "__main__":
