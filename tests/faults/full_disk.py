@@ -103,8 +103,8 @@ class FullDisk:
         self.disk.leave(pages)
         ended = self.program.do(arguments)
         stop = Stop(pages, ended.code, ended.error, "", ())
-        named = re.search(re.escape(str(self.output)) + r"/(\S+?):? ", ended.error)
-        stop.file = named.group(1) if named else ""
+        named = re.search(re.escape(str(self.disk.place)) + r"/(\S+?):? ", ended.error)
+        stop.file = named.group(1).removeprefix("run/") if named else ""
         stop.position = self._position(stop)
         self.stops.append(stop)
         return stop
@@ -135,15 +135,15 @@ class FullDisk:
             low, high = (middle + 1, high) if stop.position < wanted else (low, middle - 1)
         return None
 
-    def kill_and_go_on_with(self, pages):
-        """A run that is killed half-way, and goes on with so many pages of room."""
+    def kill_and_go_on_with(self, pages, *more):
+        """A run that is killed half-way, and goes on with so many pages of room and further options."""
         self.disk.make_room()
         shutil.rmtree(self.output)
         process = self.program.start(self.program.run(self.variant, self.output))
         moments.AfterStep(self.program.n_steps // 2).wait(process, self.output)
         process.kill()
         self.program.end(process)
-        return self.try_with(pages, self.program.resume(self.variant, self.output))
+        return self.try_with(pages, [*self.program.resume(self.variant, self.output), *more])
 
     def faults_of(self, stop):
         """What is wrong with the way in which it stopped, and with what is there now."""
@@ -239,6 +239,8 @@ def run(campaign, disk, report):
         points.add(f"{kind}, step {step}", full, full.find(kind, step))
     for pages in (0, 1, 3):
         points.add(f"as a killed run goes on, {pages} pages", full, full.kill_and_go_on_with(pages))
+    recorded = full.kill_and_go_on_with(300, "--record", disk.place / "record")
+    points.add("a record, as a killed run goes on", full, recorded)
     # Where series are written, the room that they need for a moment is more than the next rows take.
     whole = campaign.whole(two_capsules.TABLE_ONLY)
     table = FullDisk(program, disk, two_capsules.TABLE_ONLY, whole)

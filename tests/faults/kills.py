@@ -52,8 +52,8 @@ class Campaign:
         return self.wholes[name]
 
     def name_of_whole(self, variant):
-        """A record beside a run changes nothing in its folder, nor does what was there before."""
-        return two_capsules.PLAIN.name if variant.records or variant.replaces else variant.name
+        """A record beside a run changes nothing in its folder, nor does what was there before, nor an end on the way."""
+        return two_capsules.PLAIN.name if variant.records or variant.replaces or variant.extends else variant.name
 
     def whole_folder(self, variant):
         """Where that run is."""
@@ -64,9 +64,7 @@ class Campaign:
         chain, whole = Chain(), self.whole(variant)
         self.n_folders += 1
         output = self.program.folder / f"killed_{self.n_folders}"
-        if variant.replaces:
-            self.whole(two_capsules.CORRECTED)
-            shutil.copytree(self.whole_folder(two_capsules.CORRECTED), output)
+        self._prepare(variant, output, chain)
         for moment in chosen:
             if not self._kill(moment, variant, output, chain):
                 break
@@ -81,6 +79,16 @@ class Campaign:
             chain.faults.insert(0, f"{output} (kept): {'; '.join(f'{kill.during}, {kill.met}' for kill in chain.kills)}")
         return chain
 
+    def _prepare(self, variant, output, chain):
+        """What is there before the first command that is killed."""
+        if variant.replaces:
+            self.whole(two_capsules.CORRECTED)
+            shutil.copytree(self.whole_folder(two_capsules.CORRECTED), output)
+        if variant.extends:
+            ended = self.program.do(self.program.run(variant, output, *self.program.time(self.program.n_steps // 2 + 1)))
+            if ended.code != 0:
+                chain.faults.append(f"half the run: exit code {ended.code}: {ended.error}")
+
     def _kill(self, moment, variant, output, chain):
         """The next command, killed at a moment; whether the kill struck."""
         arguments, during = self._next_command(variant, output, chain)
@@ -92,7 +100,7 @@ class Campaign:
             self._note_end(arguments, ended, chain)
             return False
         chain.kills.append(Kill(variant.name, during, met or "at the end"))
-        if not variant.replaces:
+        if not variant.replaces and not variant.extends:
             chain.faults += run_folder.faults_a_reader_meets(output, self.whole(variant))
         return not chain.faults
 
@@ -103,7 +111,7 @@ class Campaign:
 
     def _next_command(self, variant, output, chain):
         """What a user does with a folder: go on; where nothing can go on, start anew as the refusal says."""
-        if not chain.kills:
+        if not chain.kills and not variant.extends:
             return self.program.run(variant, output, *(["--force"] if variant.replaces else [])), "run"
         if variant.replaces:  # whoever said --force says it again
             return self.program.run(variant, output, *(["--force"] if (output / "echo.toml").exists() else [])), "run"
@@ -152,12 +160,15 @@ def choose(random, campaign, wish):
         two_capsules.FORCED if wish % 10 == 9
         else two_capsules.THROUGH_FILES if wish % 10 == 4
         else two_capsules.RECORDED if wish % 10 == 6
+        else two_capsules.EXTENDED if wish % 10 == 2
         else (two_capsules.PLAIN, two_capsules.CORRECTED)[wish % 2]
     )  # fmt: skip
     campaign.whole(variant)
     seconds = campaign.seconds[campaign.name_of_whole(variant)]
     n_resumes = random.choice([0, 1, 1, 2])
-    if variant.replaces:
+    if variant.extends:
+        first = moments.InWrite(random.choice(["echo", "parameters", "table", "series"]))
+    elif variant.replaces:
         gone = ["checkpoints", "fluid.pvd", "membrane", "observables.csv", "parameters.toml", "echo.toml"]
         first = moments.AsEarlierRunGoes(random.choice(gone))
     else:

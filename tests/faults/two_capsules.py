@@ -69,6 +69,7 @@ class Variant:
     resume_options: tuple = ()
     records: bool = False  # --record: its folder is a new one each time
     replaces: bool = False  # --force: an earlier run is in the way
+    extends: bool = False  # --resume --shear-time: a run of half the steps is at its end
 
 
 CORRECTION = ("--set", "coupler.tangential_correction=true")
@@ -77,6 +78,7 @@ TABLE_ONLY = Variant("table only", ("--set", "output.membrane_every=0", "--set",
 CORRECTED = Variant("corrected", CORRECTION)
 THROUGH_FILES = Variant("--through-files", ("--through-files",), ("--through-files",))
 RECORDED = Variant("--record", records=True)
+EXTENDED = Variant("--shear-time", extends=True)
 FORCED = Variant("--force", replaces=True)
 
 
@@ -100,6 +102,10 @@ class Program:
         self.case.write_text(case_text(n_steps, every))
         self.n_commands = 0
 
+    def time(self, steps):
+        """The option that says where a run ends."""
+        return ["--shear-time", repr(steps / STEPS_A_SHEAR_TIME)]
+
     def run(self, variant, output, *more):
         """The arguments that start the case anew."""
         record = ("--record", self.folder / f"record_{self.n_commands}") if variant.records else ()
@@ -107,7 +113,7 @@ class Program:
 
     def resume(self, variant, output):
         """The arguments that go on with it."""
-        return ["run", "--resume", output, *variant.resume_options]
+        return ["run", "--resume", output, *variant.resume_options, *(self.time(self.n_steps) if variant.extends else [])]
 
     def start(self, arguments):
         """A process at work; what it prints goes to files."""
