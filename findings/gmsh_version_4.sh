@@ -12,7 +12,7 @@
 # | gmsh -format msh41: the head says 4.1 0 8; meshio reads 4 triangles
 # | the second with 4.0 0 8: meshio reads 4 triangles
 #
-# What we do: nothing yet; convert-surface of post/ refuses such a file. Write it with -format msh41 or msh22.
+# What we do: post/tanktread_post/gmsh_surfaces.py tells the two by the numbers before the points, and writes 4.0 into what meshio gets.
 source "$(dirname "$0")/packages.bash"
 need gmsh=4.8.4+ds2-3 python3-meshio=7.0.0-3
 

@@ -14,8 +14,8 @@
 # | Illegal data type 'String'.
 # | not an Exception, but SystemExit(1)
 #
-# What we do: post/tanktread_post/surface_files.py calls the readers of the formats; exchange/content_hash.hpp keeps a hash as
-# numbers, since text would be refused.
+# What we do: post/tanktread_post/surface_files.py and gmsh_surfaces.py call the readers of the formats; exchange/content_hash.hpp
+# keeps a hash as numbers, since text would be refused.
 source "$(dirname "$0")/packages.bash"
 need python3-meshio=7.0.0-3
 

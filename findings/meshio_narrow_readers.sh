@@ -15,7 +15,7 @@
 # | OFF: meshio reads 1 triangle
 # | OFF, counts on its first line: meshio ReadError, Expected the first line to be `OFF`.
 #
-# What we do: post/tanktread_post/surface_files.py adds to meshio's words what a file of the format must be like.
+# What we do: post/tanktread_post/text_surfaces.py and ply_surfaces.py read these formats.
 source "$(dirname "$0")/packages.bash"
 need python3-meshio=7.0.0-3 python3-vtk9=9.1.0+really9.1.0+dfsg2-5+deb12u1
 

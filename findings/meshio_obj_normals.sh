@@ -12,7 +12,7 @@
 # | 4 points, 1 normal: ValueError, len(points) = 4, but len(point_data["obj:vn"]) = 1
 # | 3 points, 3 normals, the face says 1//3 2//2 3//1: the normal of the first point is [0.0, 0.0, 1.0], in the file [1.0, 0.0, 0.0]
 #
-# What we do: nothing yet; convert-surface of post/ refuses such a file.
+# What we do: post/tanktread_post/text_surfaces.py reads .obj, and leaves normals out.
 source "$(dirname "$0")/packages.bash"
 need python3-meshio=7.0.0-3
 

@@ -12,7 +12,7 @@
 # | as meshio reads: [[-4, -3, -2], [-4, -3, -2]]
 # | which are to numpy the points [[2, 3, 4], [2, 3, 4]]
 #
-# What we do: post/tanktread_post/surface_files.py refuses node numbers that are negative.
+# What we do: post/tanktread_post/text_surfaces.py reads .obj, and counts from the latest vertex back.
 source "$(dirname "$0")/packages.bash"
 need python3-meshio=7.0.0-3
 

@@ -10,7 +10,7 @@
 # | in the file: 6 points, triangles [0, 1, 2] and [3, 4, 5]
 # | as meshio reads: 6 points, triangles [[3, 4, 5]]
 #
-# What we do: exchange/surface_file.cpp writes one piece. (convert-surface of post/ reads .vtu files by meshio: nothing guards it yet.)
+# What we do: exchange/surface_file.cpp writes one piece; post/tanktread_post/vtk_surfaces.py reads .vtu files by VTK.
 source "$(dirname "$0")/packages.bash"
 need python3-meshio=7.0.0-3
 

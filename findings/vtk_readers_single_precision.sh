@@ -13,7 +13,7 @@
 # | .stl (text): VTK float, off by 9.93e-09; meshio off by 0
 # | .vtk (binary, double): VTK double, off by 0; meshio off by 0
 #
-# What we do: post/tanktread_post/surface_files.py reads these formats by meshio.
+# What we do: post/tanktread_post/text_surfaces.py and ply_surfaces.py read these formats in double precision.
 source "$(dirname "$0")/packages.bash"
 need python3-vtk9=9.1.0+really9.1.0+dfsg2-5+deb12u1 python3-meshio=7.0.0-3
 

@@ -19,11 +19,12 @@ READ = ("MeshFormat", "Nodes", "Elements")  # the sections that hold a surface
 def read(file):
     """A meshio.Mesh of the points and elements of a .msh."""
     sections = _sections(file)
-    version, binary, size_of_size = _format(file, sections["MeshFormat"])
+    version, binary, size_of_size = _format(file, sections)
     said = _said(file, sections["Nodes"], version, binary, size_of_size), _said(file, sections["Elements"], version, binary, size_of_size)
     _require_points(file, sections["Nodes"], said[0], version, binary, size_of_size)
     with tempfile.TemporaryDirectory() as folder:
         copy = pathlib.Path(folder) / "surface.msh"
+        sections["MeshFormat"] = version.encode() + sections["MeshFormat"][sections["MeshFormat"].index(b" ") :]
         copy.write_bytes(b"".join(b"$%s\n%s$End%s\n" % (name.encode(), sections[name], name.encode()) for name in READ))
         mesh = meshio.gmsh.read(copy)
     found = len(mesh.points), sum(len(block.data) for block in mesh.cells)
@@ -44,14 +45,15 @@ def _sections(file):
     return sections
 
 
-def _format(file, section):
-    """(version, whether binary, the size of a size)."""
-    words = section.split()[:3]
+def _format(file, sections):
+    """(version, whether binary, the size of a size). Gmsh calls 4.0 "4", as others do 4.1, whose points begin with four numbers, not two."""
+    words = sections["MeshFormat"].split()[:3]
     try:
         version, binary, size = words[0].decode(), int(words[1]), int(words[2])
     except (ValueError, IndexError):
         raise InputError(f"{file}: its $MeshFormat is not that of a .msh; it is damaged") from None
-    version = {"2": "2.2", "4": "4.1"}.get(version, version)
+    numbers = len(sections["Nodes"].split(b"\n", 1)[0].split())
+    version = {"2": "2.2", "4": "4.0" if not binary and numbers == 2 else "4.1"}.get(version, version)
     if version not in ("2.2", "4.0", "4.1") or binary not in (0, 1) or size != 8:
         raise InputError(f"{file}: it is of version {version} with sizes of {size} bytes; write it as version 2.2, 4.0 or 4.1 (8 bytes)")
     return version, bool(binary), size
@@ -78,4 +80,4 @@ def _require_points(file, section, said, version, binary, size):
         expected = {"2.2": 1 + 4 * n, "4.0": 2 + 4 * blocks + 4 * n, "4.1": 4 + 4 * blocks + 4 * n}
         right = len(section.split()) == expected[version]
     if not right:
-        raise InputError(f"{file}: its head says {n} points, and its section $Nodes does not hold as many, with three coordinates each; it is damaged, or write it anew")
+        raise InputError(f"{file}: its head says {n} points, and its section $Nodes does not hold as many, with three coordinates each (Mesh.SaveParametric = 0); write it again")

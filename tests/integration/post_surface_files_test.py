@@ -390,6 +390,11 @@ class Gmsh(Files):
 
     def test_versions(self):
         self.refused(self.put("in.msh", "$MeshFormat\n1.0 0 8\n$EndMeshFormat\n$Nodes\n$EndNodes\n$Elements\n$EndElements\n"), "it is of version 1.0", "write it as version 2.2, 4.0 or 4.1")
+        for version, called in (("2.2", "2"), ("4.0", "4"), ("4.1", "4")):
+            file = self.folder / "in.msh"
+            ones = [numpy.ones(8, dtype=numpy.int32)]
+            meshio.gmsh.write(file, meshio.Mesh(POINTS, [("triangle", TRIANGLES)], cell_data={"gmsh:physical": ones, "gmsh:geometrical": ones}), version, binary=False)
+            self.assert_octahedron(self.put("in.msh", file.read_bytes().replace(version.encode() + b" 0", called.encode() + b" 0")))
         self.refused(self.put("in.msh", "$NOD\n"), "0 whole sections $MeshFormat")
 
 
