@@ -15,10 +15,10 @@
 # | PositiveNumber nan -> nan
 # | NonNegativeNumber nan -> nan
 #
-# What we do: nothing yet.
+# What we do: driver/program/number_option.hpp reads the numbers of the command line, and checks them.
 source "$(dirname "$0")/packages.bash"
-need libcli11-dev=2.1.2+ds-1
 command -v g++ >/dev/null || cannot_check "there is no g++"
+need libcli11-dev=2.1.2+ds-1
 
 cat >check.cpp <<'END'
 #include <CLI/CLI.hpp>

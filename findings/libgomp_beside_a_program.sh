@@ -14,8 +14,8 @@
 #
 # What we do: nothing yet.
 source "$(dirname "$0")/packages.bash"
-need libgomp1=12.2.0-14+deb12u1
 command -v g++ >/dev/null || cannot_check "there is no g++"
+need libgomp1=12.2.0-14+deb12u1
 n=$(nproc)
 [ "$n" -ge 2 ] || cannot_check "there is one core only"
 

@@ -49,7 +49,7 @@ package_file() {
 use_root() {
   [ ! -x "$root/usr/bin/python3" ] || python=$root/usr/bin/python3
   export PATH=$root/usr/bin:$PATH PYTHONPATH=$root/usr/lib/python3/dist-packages CPLUS_INCLUDE_PATH=$root/usr/include
-  export LD_LIBRARY_PATH=$root/lib/x86_64-linux-gnu:$root/$libraries:$root/$libraries/blas:$root/$libraries/lapack
+  export LD_LIBRARY_PATH=$root/lib/x86_64-linux-gnu:$root/usr/lib:$root/$libraries:$root/$libraries/blas:$root/$libraries/lapack
 }
 
 as_seen_failed() {

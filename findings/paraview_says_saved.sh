@@ -17,8 +17,8 @@
 #
 # What we do: post/paraview/open_output.py looks whether the picture is there and new, and ends with exit code 3 if not.
 source "$(dirname "$0")/packages.bash"
-need paraview=5.11.0+dfsg-1+b1 python3-paraview=5.11.0+dfsg-1+b1
 command -v xvfb-run >/dev/null || cannot_check "there is no xvfb-run"
+need paraview=5.11.0+dfsg-1+b1 python3-paraview=5.11.0+dfsg-1+b1
 
 cat >check.py <<'END'
 import os
