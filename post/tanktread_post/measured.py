@@ -12,6 +12,7 @@ import subprocess
 
 from . import going_on
 from .observables import InputError, Observables
+from .reference import ANALYSE, require_name_of
 from .run_folder import is_finished, read_cost, read_echo, read_parameters
 
 QUANTITIES = ("deformation", "inclination_deg", "length", "width", "breadth", "volume_ratio", "area_ratio")
@@ -20,6 +21,7 @@ COST = ("mlups", "fluid_percent", "coupler_percent", "membrane_percent")
 VISCOUS = ("scheme", "boussinesq_shear", "boussinesq_dilatational", "spring", "interval", "strain_sampling")
 COUPLER = ("tangential_correction",)  # true, or nothing
 COLUMNS = ("run", *PARAMETERS, "shear_time", *QUANTITIES, *COST, *VISCOUS, *COUPLER)
+OWN = ("results.csv", "means.csv")  # what is written here for any case
 MEANS = ("run", "from", "to", *QUANTITIES, "highest_deformation", "highest_at")  # means, but for the last two: over the whole run
 
 
@@ -133,6 +135,9 @@ def add_means(case, directory, run, stretch, command):
 def add_own(case, name, text, command):
     """Writes a table of the case's own analysis to measured/, under a line that says how it was made. Returns the file."""
     file = pathlib.Path(case) / "measured" / name
+    require_name_of(f"{case}/{ANALYSE}: measured(output, case)", name, ".csv")
+    if name in OWN:
+        raise InputError(f"{case}/{ANALYSE}: measured(output, case) gives {name}, which holds the runs; choose another name")
     file.parent.mkdir(exist_ok=True)
     file.write_text(f"# {datetime.date.today().isoformat()}: {command}\n" + text)
     return file

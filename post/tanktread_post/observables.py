@@ -29,13 +29,17 @@ class Observables:
 
     def _read(self, capsule):
         """The names of the columns, and the rows of a capsule."""
-        with open(self.file, newline="") as stream:
-            reader = csv.DictReader(stream)
-            names = reader.fieldnames or []
-            if "shear_time" not in names or "capsule" not in names:
-                raise InputError(f"{self.file}: its first line does not name the columns shear_time and capsule")
-            # A row that a killed run left unfinished has fewer fields: it is not a row yet.
-            return names, [row for row in reader if None not in row.values() and int(row["capsule"]) == capsule]
+        # A row that a killed run left unfinished has no end of line: it is not a row yet, though its last number may look like one.
+        whole = self.file.read_text().rpartition("\n")[0]
+        reader = csv.DictReader(whole.splitlines())
+        names = reader.fieldnames or []
+        if "shear_time" not in names or "capsule" not in names:
+            raise InputError(f"{self.file}: its first line does not name the columns shear_time and capsule")
+        rows = list(reader)
+        for number, row in enumerate(rows, 2):
+            if None in row or None in row.values():
+                raise ValueError(f"line {number} has not {len(names)} numbers")
+        return names, [row for row in rows if int(row["capsule"]) == capsule]
 
     def __getitem__(self, name):
         if name not in self.columns:

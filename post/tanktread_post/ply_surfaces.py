@@ -23,7 +23,7 @@ class _Values:
 
     def __init__(self, file, body, byte_order):
         self.file, self.order, self.place = file, byte_order, 0
-        self.data = body.split() if byte_order is None else body
+        self.data = body.replace(b"_", b"?").split() if byte_order is None else body  # to Python 1_0 is ten
 
     def take(self, kind, n):
         """The next n numbers of a type, or of a list of types n times: a structured array in a binary file, else rows of doubles."""

@@ -78,6 +78,7 @@ def _check_pictures(file, wanted):
     known = {row["run"] for row in read_table(runs)} if runs.is_file() else None
     for number, picture in enumerate(wanted.get("picture", []), 1):
         place = f"{file}: [[picture]] number {number}"
+        require_name_of(place, picture["file"], ".png")
         for run in picture["runs"]:
             if known is not None and run not in known:
                 raise InputError(f"{place}: no run is called '{run}' in {runs}")
@@ -110,6 +111,12 @@ def check_kinds(place, table):
             isinstance(value, list) and len(value) == 2 and all(isinstance(time, NUMBER) for time in value) and value[0] < value[1]
         ):
             raise InputError(f"{place}: {key} = {value}, must be two shear times, the first before the second, as [15, 30]")
+
+
+def require_name_of(place, name, suffix):
+    """Refuses the name of a file to be written that is none of its kind, or leads to another folder: it might be that of something else."""
+    if pathlib.PurePath(name).name != name or pathlib.PurePath(name).suffix != suffix:
+        raise InputError(f"{place}: file = {name!r}, must be a name without a folder that ends with {suffix}")
 
 
 def checked_entries(file, wanted, all_keys):
@@ -161,7 +168,12 @@ def read_table(file):
     if not file.is_file():
         raise InputError(f"{file}: there is no such file")
     with open(file, newline="") as stream:
-        return list(csv.DictReader(line for line in stream if not line.startswith("#")))
+        rows = list(csv.DictReader(line for line in stream if not line.startswith("#")))
+    for row in rows:
+        if None in row or None in row.values():
+            values = ", ".join(str(value) for value in row.values() if value is not None)
+            raise InputError(f"{file}: a row has not as many cells as the first line has names: {values}; it is damaged or cut off")
+    return rows
 
 
 def _same(text, wanted):
@@ -180,8 +192,8 @@ def matching_rows(rows, where):
 
 def number_in(file, column, row):
     """A cell of a table as a number."""
-    if row.get(column) is None:
-        raise InputError(f"{file}: there is no column '{column}', only {', '.join(map(str, row))}")
+    if column not in row:
+        raise InputError(f"{file}: there is no column '{column}', only {', '.join(row)}")
     try:
         return float(row[column])
     except ValueError:

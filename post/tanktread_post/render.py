@@ -14,7 +14,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
-from . import scene, series
+from . import scene, series, whole_file
 from .observables import InputError
 from .run_folder import read_echo
 from .vtk_reading import read_by
@@ -76,8 +76,11 @@ def _write_picture(renderer, file):
     picture.ReadFrontBufferOff()
     writer = vtkPNGWriter()
     writer.SetInputConnection(picture.GetOutputPort())
-    writer.SetFileName(str(file))
-    writer.Write()
+    with whole_file.writing(file) as temporary:
+        writer.SetFileName(str(temporary))
+        writer.Write()
+        if writer.GetErrorCode() or not temporary.is_file():
+            raise InputError(f"{file}: the picture cannot be written there")
 
 
 def render(output, field="area_ratio", shear_time=None, file=None):
@@ -85,8 +88,12 @@ def render(output, field="area_ratio", shear_time=None, file=None):
 
     The flow is left out if the run wrote none. `shear_time`: the nearest membrane file is drawn, the last by default.
     """
-    _require_display()
     output = pathlib.Path(output)
+    file = pathlib.Path(file) if file else output / "capsule.png"
+    if file.suffix.lower() != ".png":
+        raise InputError(f"{file}: a picture is a PNG; its name must end with .png")
+    whole_file.require_place(file, force=True)
+    _require_display()
     case = read_echo(output)
     axes = [scene.AXES.index(case["flow"][key]) for key in ("flow_axis", "wall_axis")]
     entry = series.at(output / "membrane.pvd", shear_time)
@@ -116,6 +123,5 @@ def render(output, field="area_ratio", shear_time=None, file=None):
     lights = vtkLightKit()
     lights.AddLightsToRenderer(renderer)
     _look_along_vorticity(renderer, axes, bounds)
-    file = pathlib.Path(file) if file else output / "capsule.png"
     _write_picture(renderer, file)
     return file

@@ -21,7 +21,7 @@ import pathlib
 import numpy
 
 from .observables import InputError
-from .reference import check_keys, checked_entries, look_up, matching_rows, number_in, read_table, read_toml
+from .reference import check_keys, checked_entries, look_up, matching_rows, number_in, read_table, read_toml, require_name_of
 
 # The keys of study.toml: those an entry must have, those it may have.
 ENTRIES = {
@@ -36,7 +36,9 @@ def read_study(case):
     file = pathlib.Path(case) / "study.toml"
     wanted = read_toml(file)
     check_keys(file, wanted, ((), tuple(ENTRIES)))
-    checked_entries(file, wanted, ENTRIES)
+    for name, entries in checked_entries(file, wanted, ENTRIES).items():
+        for number, entry in enumerate(entries, 1):
+            require_name_of(f"{file}: [[{name}]] number {number}", entry["file"], {"table": ".csv", "plot": ".png"}[name])
     for number, plot in enumerate(wanted.setdefault("plot", []), 1):
         if "reference" in plot:
             check_keys(f"{file}: [[plot]] number {number}: reference", plot["reference"], REFERENCE)

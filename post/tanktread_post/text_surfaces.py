@@ -30,7 +30,7 @@ def _lines(file, continued=False):
 def _numbers(file, line, words, kind, least=0):
     """The words as numbers, at least so many."""
     try:
-        numbers = [kind(word) for word in words]
+        numbers = [kind(word.replace("_", "?")) for word in words]  # to Python 1_0 is ten
     except ValueError as error:
         raise InputError(f"{file}, line {line}: {error}; the file is damaged, or of another format") from None
     if len(numbers) < least:

@@ -31,6 +31,18 @@ class Reading(InFolder):
         write_observables(self.folder, [{"shear_time": 0, "deformation": 0.1}, {"shear_time": 2, "deformation": 0.5}])
         self.assertAlmostEqual(Observables(self.folder).at("deformation", 0.5), 0.2, delta=1e-15)
 
+    def test_a_row_without_an_end_is_no_row_yet(self):
+        # 2.5 that is cut to 2 has all its cells, and another value.
+        write_observables(self.folder, [{"shear_time": str(t), "deformation": "0.25"} for t in range(3)])
+        file = self.folder / "observables.csv"
+        whole = file.read_text()
+        for cut in range(1, len(whole.splitlines()[-1]) + 1):
+            file.write_text(whole[:-cut])
+            self.assertEqual(Observables(self.folder)["shear_time"].tolist(), [0.0, 1.0])
+        lines = whole.splitlines(keepends=True)
+        file.write_text("".join([*lines[:2], lines[2].rpartition(",")[0] + "\n", *lines[3:]]))
+        self.assert_refused(["observables.csv: line 3 has not", "damaged"], Observables, self.folder)
+
     def test_never_reads_beyond_the_end(self):
         write_observables(self.folder, [{"shear_time": 0, "deformation": 0}, {"shear_time": 2, "deformation": 1, "step": 1000}])
         self.assert_refused(["shear time 2.1 is outside 0 to 2", "tanktread run"], Observables(self.folder).at, "deformation", 2.1)
@@ -83,6 +95,11 @@ class References(InFolder):
         self.assertEqual(self.look_up(mesh=3, bq_s=0), 0.43)
         self.assertEqual(self.look_up(mesh="3", bq_s=10.0), 0.36)
         self.assertEqual(reference.look_up(self.folder, 0.5), 0.5)
+
+    def test_a_row_of_another_length_is_refused(self):
+        for row in ("1,2", "1,2,3,4"):
+            (self.folder / "a.csv").write_text(f"# of a test\na,b,c\n1,2,3\n{row}\n")
+            self.assert_refused(["a.csv: a row has not as many cells", row.replace(",", ", ")[:4]], reference.read_table, self.folder / "a.csv")
 
     def test_refuses_none_and_two(self):
         self.assert_refused("2 rows", self.look_up, mesh=3)

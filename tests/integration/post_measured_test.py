@@ -94,6 +94,11 @@ class Measured(InFolder):
             (self.folder / "compare.toml").write_text(f'title = ""\nmeans_over = {stretch}\n')
             self.assert_refused(["means_over", "as [15, 30]"], reference.read_comparison, self.folder)
 
+    def test_a_table_of_a_case_has_a_name_of_its_own(self):
+        for name, words in (("results.csv", "which holds the runs"), ("../compare.toml", "a name without a folder"), ("a.toml", "ends with .csv")):
+            self.assert_refused(["analyse.py: measured(output, case)", words], measured.add_own, self.folder, name, "a,b\n", "a command")
+        self.assertEqual(measured.add_own(self.folder, "own.csv", "a,b\n", "a command").read_text().splitlines()[1], "a,b")
+
     def test_refuses_a_run_of_which_nothing_is_read(self):
         with self.assertRaisesRegex(measured.InputError, "before the first shear time of read_at"):
             self.add("a", 0.04, times=())

@@ -41,6 +41,14 @@ class Plots(InFolder):
         write_run(self.folder / "others/d")
         self.assertEqual([file.name for file in plot.plot_observables(self.folder / "others", case)], ["deformation.png", "inclination.png"])
 
+    def test_a_picture_is_no_file_of_another_kind(self):
+        from tanktread_post import render
+
+        (self.folder / "case.toml").write_text("mine")
+        self.assert_refused(["case.toml: a picture is a PNG"], render.render, self.folder, file=self.folder / "case.toml")
+        self.assert_refused(["there is no folder"], render.render, self.folder, file=self.folder / "none/a.png")
+        self.assertEqual((self.folder / "case.toml").read_text(), "mine")
+
     def test_every_quantity_of_a_plot_may_be_pictured(self):
         self.assertEqual(tuple(plot.PLOTS), reference.PICTURED)
 
@@ -51,6 +59,8 @@ class Plots(InFolder):
         for text, words in (
             (picture.format("length"), "no picture of 'length', only of deformation, inclination_deg"),
             (picture.format("deformation"), "no run is called 'b'"),
+            (picture.format("deformation").replace("a.png", "observables.csv"), "file = 'observables.csv', must be a name without a folder that ends with .png"),
+            (picture.format("deformation").replace("a.png", "../a.png"), "file = '../a.png', must be a name without a folder"),
         ):
             (case / "runs.csv").write_text("run,groups\na,all\n")
             (case / "compare.toml").write_text(text)

@@ -120,7 +120,7 @@ class Studies(Tables):
         self.assert_refused(["'nose'", "errors, noise"], study.choose_tables, wanted, ["noise", "nose"])
         self.assert_refused("no such file", study.read_study, self.output)
         text = (self.case / "study.toml").read_text()
-        for bad, words in (("[[tabel]]\n", "no key 'tabel'"), ('[[table]]\nfile = "a.csv"\n', ["[[table]] number", "'arguments' is missing"]), ("[[table]]\nfile = 1\narguments = []\ncolour = 1\n", "no key 'colour'")):
+        for bad, words in (("[[tabel]]\n", "no key 'tabel'"), ('[[table]]\nfile = "a.csv"\n', ["[[table]] number", "'arguments' is missing"]), ("[[table]]\nfile = 1\narguments = []\ncolour = 1\n", "no key 'colour'"), ("[[table]]\nfile = 1\narguments = []\n", "file = 1, must be a text"), ('[[table]]\nfile = "study.toml"\narguments = []\n', "ends with .csv")):
             (self.case / "study.toml").write_text(text + bad)
             self.assert_refused(words, study.read_study, self.case)
         (self.case / "study.toml").write_text(text)

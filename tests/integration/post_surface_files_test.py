@@ -236,6 +236,7 @@ class Obj(Files):
         self.refused(self.put("in.obj", self.text("{a}", "f 1 2 -7")), "a face names node -7", "-6, the first so far")
         self.refused(self.put("in.obj", self.text("{a}", "f 1 2 7")), "face 8 names node 6, of 0 to 5")
         self.refused(self.put("in.obj", self.text("{a}", "f 1 2 x")), "line 35: invalid literal", "damaged")
+        self.refused(self.put("in.obj", self.text("{a}", "f 1 2 0_3")), "line 35: invalid literal", "damaged")
 
 
 class Stl(Files):
@@ -326,6 +327,7 @@ class Ply(Files):
         self.refused(self.put("in.ply", data.replace(b"property double z", b"property quad z")), "'property quad z' is no line of the head")
         self.refused(self.put("in.ply", data.replace(b"face 8", b"face 1000000000000")), "fewer numbers than its head says")
         self.refused(self.put("in.ply", data.replace(b"face 8", b"face -8")), "its head is not that")
+        self.refused(self.put("in.ply", data.replace(b"5.0 4.0 5.0", b"5_0 4.0 5.0")), "cannot be read", "5?0")
         self.refused(self.put("in.ply", data.replace(b"\n3 0 2 4", b"\n3 0 2 4.5")), "cannot be read")
 
 
