@@ -1,13 +1,12 @@
 #include "exchange/atomic_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
 #include <cstring>
 
+#include "exchange/descriptor.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::exchange {
@@ -22,23 +21,6 @@ namespace fs = std::filesystem;
 fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
-
-/// An open file that closes itself.
-class Descriptor {
- public:
-  Descriptor(const fs::path& file, int flags) : number_(::open(file.c_str(), flags | O_CLOEXEC, 0666)) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  bool is_open() const { return number_ >= 0; }
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
 
 void write_all(const Descriptor& file, const std::string& text, const fs::path& target) {
   for (std::size_t done = 0; done < text.size();) {

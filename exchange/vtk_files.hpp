@@ -43,14 +43,21 @@ struct SeriesEntry {
   double time;
   std::string file;
 };
-/// Writes a .pvd collection (temporary name, then rename). A series that is continued is read first, then
-/// written whole. Times are written with 17 significant digits, which name one double only.
-/// @throws FileError, also for a time that is not finite and a name that XML cannot hold (control characters,
-/// broken UTF-8)
+/// Writes a .pvd collection (temporary name, then rename). Times are written with 17 significant digits,
+/// which name one double only, and one double has one text.
+/// @throws FileError, also for a time that is not finite, two entries of one time (ParaView shows the first
+/// of them only) and a name that XML cannot hold (control characters, broken UTF-8)
 void write_series(const std::filesystem::path& file, const std::vector<SeriesEntry>& entries);
-/// Adds an entry to a .pvd, which keeps what it has. @throws FileError
+/// Adds an entry to a .pvd that is there, later than all it has; the file then is as write_series makes it.
+/// The new line and the closing tags go over the old closing tags in one write, so that the cost does not
+/// grow with the series. It is written anew where it does not end as write_series ends it (another program or
+/// a person wrote it) and while read_series reads it. If the disk is full the old series stays. A process
+/// that is killed, or a power cut, in the midst of that write may leave a series that is cut off, which
+/// read_series refuses.
+/// @throws FileError as write_series, and for a time that is not later than that of the last entry
 void append_to_series(const std::filesystem::path& file, const SeriesEntry& entry);
-/// The entries in the order of the file. @throws FileError
+/// The entries in the order of the file, which is whole also while append_to_series adds to it.
+/// @throws FileError
 std::vector<SeriesEntry> read_series(const std::filesystem::path& file);
 
 /// Writes any text under a temporary name, then renames it into place. @throws FileError

@@ -1,8 +1,7 @@
 #include "exchange/whole_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
+#include <sys/file.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -19,15 +18,18 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::string_view last_element = "</VTKFile>";
 
-int open_to_read(const fs::path& file) {
+/// @return the name, for one that can be opened
+const fs::path& require_file(const fs::path& file) {
   std::error_code error;
   if (!fs::exists(file, error)) throw FileError(fmt::format("{}: no such file", file.string()));
   if (fs::is_directory(file, error))
     throw FileError(fmt::format("{}: is a folder, not a file", file.string()));
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0)
+  return file;
+}
+
+void require_open(const Descriptor& open, const fs::path& file) {
+  if (!open.is_open())
     throw FileError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
-  return descriptor;
 }
 
 /// Linux's name of an open file, whatever has become of the name that it was opened by.
@@ -37,32 +39,62 @@ fs::path name_of(int descriptor, const fs::path& file) {
   return fs::exists(name, error) ? name : file;
 }
 
-/// Whether the file's last element is that of VTK's files.
-bool ends_whole(const fs::path& file) {
+/// Whether the last element of a text is that of VTK's files.
+bool ends_whole(std::string_view text) {
+  return text.substr(0, text.find_last_not_of(" \r\n\t") + 1).ends_with(last_element);
+}
+
+/// The last bytes of a file, as many as the last element and a few empty lines take; "" if it cannot be read.
+std::string end_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
-  if (!stream) return false;
+  if (!stream) return "";
   const auto size = std::min<std::streamoff>(stream.tellg(), 64);
   std::string text(static_cast<std::size_t>(size), '\0');
   stream.seekg(-size, std::ios::end);
   stream.read(text.data(), size);
-  text.erase(text.find_last_not_of(" \r\n\t") + 1);
-  return text.ends_with(last_element);
+  return text;
+}
+
+[[noreturn]] void refuse_cut(const fs::path& file) {
+  throw FileError(
+      fmt::format("{}: does not end with {}: it is cut off, or not a VTK XML file; write or copy it again",
+                  file.string(), last_element));
+}
+
+/// Waits for a writer at work; where the file system knows no locks there is nothing to wait for.
+void lock_for_reading(const Descriptor& file) {
+  while (::flock(file.number(), LOCK_SH) != 0 && errno == EINTR) {
+  }
+}
+
+std::string read_all(const Descriptor& open, const fs::path& file) {
+  std::string text;
+  for (std::size_t step = 1 << 16;;) {
+    const auto done = text.size();
+    text.resize(done + step);
+    const auto n = ::read(open.number(), text.data() + done, step);
+    text.resize(done + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+    if (n < 0 && errno != EINTR)
+      throw FileError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
+    if (n == 0) return text;
+  }
 }
 
 }  // namespace
 
-WholeFile::WholeFile(fs::path name) : name_(std::move(name)), descriptor_(open_to_read(name_)) {
-  content_ = name_of(descriptor_, name_);
-  if (!ends_whole(content_)) {
-    ::close(descriptor_);
-    throw FileError(
-        fmt::format("{}: does not end with {}: it is cut off, or not a VTK XML file; write or copy it again",
-                    name_.string(), last_element));
-  }
+WholeFile::WholeFile(fs::path name) : name_(std::move(name)), open_(require_file(name_), O_RDONLY) {
+  require_open(open_, name_);
+  content_ = name_of(open_.number(), name_);
+  if (!ends_whole(end_of(content_))) refuse_cut(name_);
 }
 
-WholeFile::~WholeFile() {
-  ::close(descriptor_);
+std::string read_growing_text(const fs::path& file) {
+  const Descriptor open(require_file(file), O_RDONLY);
+  require_open(open, file);
+  lock_for_reading(open);
+  auto text = read_all(open, file);
+  if (!ends_whole(text)) refuse_cut(file);
+  return text;
 }
 
 }  // namespace tanktread::exchange

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+
+#include "exchange/descriptor.hpp"
 
 namespace tanktread::exchange {
 
@@ -11,9 +14,6 @@ class WholeFile {
  public:
   /// @throws FileError if it is not there, cannot be read, or does not end as VTK's files do
   explicit WholeFile(std::filesystem::path name);
-  ~WholeFile();
-  WholeFile(const WholeFile&) = delete;
-  WholeFile& operator=(const WholeFile&) = delete;
 
   /// The name for messages.
   const std::filesystem::path& name() const { return name_; }
@@ -22,7 +22,11 @@ class WholeFile {
 
  private:
   std::filesystem::path name_, content_;
-  int descriptor_;
+  Descriptor open_;
 };
+
+/// All of a VTK file to which another process may be adding (FileTail): never a half of what it adds, for
+/// which this waits. @throws FileError as WholeFile does
+std::string read_growing_text(const std::filesystem::path& file);
 
 }  // namespace tanktread::exchange

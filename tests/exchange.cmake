@@ -5,6 +5,7 @@ target_link_libraries(exchange_samples PUBLIC tanktread::exchange GTest::gtest)
 
 tanktread_test(exchange_packet_test SOURCES unit/exchange_packet_test.cpp LIBRARIES exchange_samples)
 tanktread_test(exchange_series_test SOURCES unit/exchange_series_test.cpp LIBRARIES exchange_samples)
+tanktread_test(exchange_series_append_test SOURCES unit/exchange_series_append_test.cpp LIBRARIES exchange_samples)
 tanktread_test(exchange_reading_test SOURCES unit/exchange_reading_test.cpp LIBRARIES exchange_samples)
 tanktread_test(exchange_exact_test SOURCES unit/exchange_exact_test.cpp LIBRARIES exchange_samples)
 tanktread_test(exchange_hash_test SOURCES unit/exchange_hash_test.cpp LIBRARIES exchange_samples)

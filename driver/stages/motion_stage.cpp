@@ -100,7 +100,6 @@ Motion series(const MotionStage& stage, const Parameters& numbers,
 /// Goes through the motion; the first positions are not a step of the membrane, whose history begins there.
 void follow(const Motion& motion, std::vector<CapsuleMembrane>& membranes, const Parameters& numbers,
             const std::filesystem::path& out) {
-  std::vector<exchange::SeriesEntry> entries;
   auto positions = motion.positions(0);
   auto velocity = zero_like(positions);  // of the first file: none is known, and the forces are elastic
   NodeVectors force;
@@ -109,6 +108,7 @@ void follow(const Motion& motion, std::vector<CapsuleMembrane>& membranes, const
     force.push_back(membranes[k].elastic_forces());
   }
   std::filesystem::create_directories(out / "membrane");
+  exchange::write_series(out / "membrane.pvd", {});
   auto due = motion.written.begin();
   for (std::int64_t step = 0;; ++step) {
     if (step > 0) {
@@ -121,8 +121,7 @@ void follow(const Motion& motion, std::vector<CapsuleMembrane>& membranes, const
     const double shear_time = static_cast<double>(step) * numbers.shear_rate;
     const auto file = fmt::format("membrane/membrane_{:010}.vtu", step);
     exchange::write_surface(out / file, membrane_file(membranes, velocity, force, step, shear_time));
-    entries.push_back({shear_time, file});
-    exchange::write_series(out / "membrane.pvd", entries);
+    exchange::append_to_series(out / "membrane.pvd", {shear_time, file});
     if (++due == motion.written.end() || SignalGuard::caught() != 0) return;
   }
 }

@@ -73,15 +73,12 @@ TEST(Polling, NeverSeesHalfASurface) {
   EXPECT_EQ(folder.names(), std::vector<std::string>{"surface.vtu"});
 }
 
-TEST(Polling, NeverSeesHalfASeries) {
+/// Reads a series that `write` makes, with the time 0.25 k in entry k, until its writer ends.
+void expect_whole_series(int n, const std::function<void(const std::filesystem::path&, int)>& write) {
   const TemporaryFolder folder;
   const auto file = folder / "series.pvd";
   write_series(file, {});
-  Writer writer(150, [&](int k) {
-    std::vector<SeriesEntry> entries;
-    for (int i = 0; i <= k; ++i) entries.push_back({0.25 * i, "membrane/membrane.vtu"});
-    write_series(file, entries);
-  });
+  Writer writer(n, [&](int k) { write(file, k); });
   std::size_t last = 0;
   int n_changes = 0;
   while (writer.alive()) {
@@ -93,7 +90,24 @@ TEST(Polling, NeverSeesHalfASeries) {
     last = entries.size();
   }
   EXPECT_TRUE(writer.succeeded());
+  EXPECT_EQ(read_series(file).size(), static_cast<std::size_t>(n));
   EXPECT_GT(n_changes, 1) << "the reader never ran beside the writer";
+}
+
+TEST(Polling, NeverSeesHalfASeries) {
+  expect_whole_series(150, [](const auto& file, int k) {
+    std::vector<SeriesEntry> entries;
+    for (int i = 0; i <= k; ++i) entries.push_back({0.25 * i, "membrane/membrane.vtu"});
+    write_series(file, entries);
+  });
+}
+
+TEST(Polling, NeverSeesHalfAnEntryThatIsAdded) {
+  // Entries of many lengths, so that they end at all places of a page and lie across two.
+  expect_whole_series(500, [](const auto& file, int k) {
+    if (k % 10 == 0) ::usleep(1000);  // in a folder in memory all else is done before the reader looks
+    append_to_series(file, {0.25 * k, "membrane/" + std::string(1 + k % 89, 'm') + ".vtu"});
+  });
 }
 
 }  // namespace

@@ -1,12 +1,11 @@
 // Writing that fails leaves the old file, no temporary one, and an error that says why.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
-#include <csignal>
 #include <fstream>
 
+#include "tests/unit/exchange_full_disk.hpp"
 #include "tests/unit/exchange_samples.hpp"
 
 namespace tanktread::exchange::testing {
@@ -16,26 +15,6 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-/// No file can grow beyond `n_bytes` while this lives: a write that would fails, as on a full disk.
-class FullDisk {
- public:
-  explicit FullDisk(std::size_t n_bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &old_limit_);
-    const rlimit limit{n_bytes, old_limit_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FullDisk() {
-    ::setrlimit(RLIMIT_FSIZE, &old_limit_);
-    std::signal(SIGXFSZ, old_handler_);
-  }
-  FullDisk(const FullDisk&) = delete;
-  FullDisk& operator=(const FullDisk&) = delete;
-
- private:
-  void (*old_handler_)(int);
-  rlimit old_limit_{};
-};
 
 struct Kind {
   std::string name;
@@ -51,7 +30,9 @@ std::vector<Kind> kinds() {
           {"grid.vti", [grid](const auto& file) { write_grid(file, grid); }},
           {"series.pvd",
            [](const auto& file) {
-             write_series(file, std::vector<SeriesEntry>(100, {1, "a.vtu"}));
+             std::vector<SeriesEntry> entries;
+             for (int k = 0; k < 100; ++k) entries.push_back({1.0 * k, "a.vtu"});
+             write_series(file, entries);
            }},
           {"text.toml", [](const auto& file) { write_text(file, std::string(20000, 'x')); }}};
 }

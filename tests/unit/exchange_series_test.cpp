@@ -38,7 +38,7 @@ TEST(Series, KeepsOddNames) {
       "a & b.vtu", "<a>\"b\"'c'.vtu",     "&amp;.vtu",       "\xc3\xa4\xe2\x82\xac.vtu",
       "a  b .vtu", "tab\tline\nreturn\r", "back\\slash.vtu", "]]>--%20#?"};
   std::vector<SeriesEntry> entries;
-  for (const auto& name : names) entries.push_back({1.0, name});
+  for (const auto& name : names) entries.push_back({static_cast<double>(entries.size()), name});
   const auto back = round_trip(entries);
   ASSERT_EQ(back.size(), names.size());
   for (std::size_t k = 0; k < names.size(); ++k) EXPECT_EQ(back[k].file, names[k]);
@@ -46,7 +46,7 @@ TEST(Series, KeepsOddNames) {
 
 TEST(Series, KeepsTheOrderOfEntriesAndNone) {
   EXPECT_THAT(round_trip({}), IsEmpty());
-  const auto back = round_trip({{2, "b"}, {1, "a"}, {2, "b"}});
+  const auto back = round_trip({{2, "b"}, {1, "a"}, {3, "b"}});
   ASSERT_EQ(back.size(), 3U);
   EXPECT_EQ(back[0].file + back[1].file + back[2].file, "bab");
 }
@@ -71,11 +71,29 @@ TEST(Series, RefusesToWriteWhatXmlCannotHold) {
   };
   EXPECT_THAT(
       error({std::numeric_limits<double>::quiet_NaN(), "a.vtu"}),
-      AllOf(HasSubstr("series.pvd"), HasSubstr("entry 1 ('a.vtu') has time nan, which is not finite")));
+      AllOf(HasSubstr("series.pvd"), HasSubstr("the entry 'a.vtu' has time nan, which is not finite")));
   EXPECT_THAT(error({std::numeric_limits<double>::infinity(), "a.vtu"}), HasSubstr("has time inf"));
   EXPECT_THAT(error({1, std::string("a\x01") + "b.vtu"}), HasSubstr("cannot be"));
   EXPECT_THAT(error({1, "a\xff.vtu"}), HasSubstr("cannot be"));
   EXPECT_THAT(folder.names(), IsEmpty());
+}
+
+TEST(Series, HoldsNoTimeTwiceAndSpellsATimeInOneWay) {
+  const TemporaryFolder folder;
+  const auto file = folder / "series.pvd";
+  EXPECT_THAT(error_of([&] {
+                write_series(file, {{1, "a.vtu"}, {0.5, "b.vtu"}, {1.0, "c.vtu"}});
+              }),
+              AllOf(HasSubstr("the entry 'c.vtu' has time 1, as has 'a.vtu'"),
+                    HasSubstr("ParaView shows the first")));
+  // Equal numbers, two texts in most programs.
+  EXPECT_THAT(error_of([&] {
+                write_series(file, {{0.0, "a.vtu"}, {-0.0, "b.vtu"}});
+              }),
+              HasSubstr("as has 'a.vtu'"));
+  EXPECT_THAT(folder.names(), IsEmpty());
+  write_series(file, {{-0.0, "a.vtu"}});
+  EXPECT_THAT(read_text(file), HasSubstr("timestep=\"0\""));
 }
 
 TEST(Series, RefusesToReadWhatIsNotASeries) {
