@@ -1,7 +1,7 @@
 # Tests of driver; included by tests/CMakeLists.txt when the component is built.
 find_package(tomlplusplus REQUIRED)
-tanktread_test(run_test SOURCES integration/run_test.cpp integration/broken_run_test.cpp integration/program_test.cpp
-  integration/command_line_test.cpp integration/program.cpp LIBRARIES)
+tanktread_test(run_test SOURCES integration/run_test.cpp integration/run_series_test.cpp integration/broken_run_test.cpp integration/program_test.cpp
+  integration/command_line_test.cpp integration/program.cpp LIBRARIES tanktread::exchange)
 target_compile_definitions(run_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
 add_dependencies(run_test tanktread)
 tanktread_test(diff_test SOURCES integration/diff_test.cpp integration/diff_directory_test.cpp integration/program.cpp
