@@ -1,8 +1,10 @@
 """What other programs may put into files of surfaces: all of it is read, or left out as the manual says, or refused; never a part of it taken for the whole."""
 
 import os
+import resource
 import struct
 import unittest
+import unittest.mock
 
 import meshio
 import numpy
@@ -14,7 +16,7 @@ from vtkmodules.vtkCommonDataModel import VTK_TRIANGLE, vtkCellArray, vtkPolyDat
 from vtkmodules.vtkFiltersCore import vtkStripper
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
 
-from tanktread_post import convert_surface, surface_files, vtk_reading
+from tanktread_post import convert_surface, surface_files, vtk_reading, vtk_surfaces
 from tanktread_post.observables import InputError
 from tanktread_post.surface import Surface
 from tanktread_post.surface_repair import repaired
@@ -161,6 +163,19 @@ class Vtk(Files):
                             writer.SetEncodeAppendedData(encode)
                             self.assert_octahedron(self.written(writer, self.data(kind), name))
 
+    def test_the_end_of_the_file_must_be_there(self):
+        # Harmless here: all numbers are there, the end tag is not.
+        writer = vtkXMLUnstructuredGridWriter()
+        writer.SetDataModeToAppended()
+        writer.EncodeAppendedDataOff()
+        file = self.written(writer, self.data(vtkUnstructuredGrid), "in.vtu")
+        self.refused(self.put("in.vtu", file.read_bytes().rstrip()[:-3]), "it does not end with </VTKFile>")
+
+    def test_vtk_is_held_against_the_head(self):
+        file = self.grid((POINTS, TRIANGLES))
+        with unittest.mock.patch.object(vtk_surfaces, "_head", return_value=("UnstructuredGrid", 6, 12)):
+            self.refused(file, "its head says 6 points and 12 cells, VTK reads 6 and 8")
+
     def test_strips_of_triangles(self):
         stripper = vtkStripper()
         stripper.SetInputData(self.data())
@@ -199,8 +214,10 @@ class Vtk(Files):
         self.assert_refused(["in.vtu: the library that reads it broke down over it"], vtk_reading.apart, lambda: os._exit(1), file)
         self.assert_refused("as it was thrown", vtk_reading.apart, lambda: (_ for _ in ()).throw(InputError("as it was thrown")), file)
         self.assertEqual(vtk_reading.apart(lambda: 3, file), 3)
-        with self.assertRaises(MemoryError):  # more than is allowed, and never touched
-            vtk_reading.apart(lambda: len(bytearray(2**36)), file)
+        allowed = vtk_reading.apart(lambda: resource.getrlimit(resource.RLIMIT_AS)[0], file)
+        self.assertGreater(allowed, 2**30)  # no limit is -1
+        with self.assertRaises(MemoryError):
+            vtk_reading.apart(lambda: len(bytearray(allowed)), file)
 
 
 class Obj(Files):
