@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # VTK does not read the infinity that it writes as ASCII: the whole grid is lost, and the error code is 0.
 #
-# Package: python3-vtk9 9.1.0+really9.1.0+dfsg2-5+deb12u1
+# Packages: python3-vtk9 9.1.0+really9.1.0+dfsg2-5+deb12u1, python3-numpy 1:1.24.2-1+deb12u1
 #
 # In ASCII mode VTK's XML writer puts an infinite value down as "Infinity" and a NaN as "NaN". Its reader takes the NaN and stops
 # at "Infinity": the output has no points and no cells, and GetErrorCode() says 0. The only sign is a line on the standard error.
@@ -17,7 +17,7 @@
 # What we do: exchange/vtk_calls.cpp writes appended raw numbers, and when it reads, listens to what VTK says besides the error
 # code; exchange/file_head.hpp refuses ASCII where every bit counts.
 source "$(dirname "$0")/packages.bash"
-need python3-vtk9=9.1.0+really9.1.0+dfsg2-5+deb12u1
+need python3-vtk9=9.1.0+really9.1.0+dfsg2-5+deb12u1 python3-numpy=1:1.24.2-1+deb12u1
 
 cat >check.py <<'END'
 import re
