@@ -6,7 +6,7 @@
 #
 # ParaView writes a sphere, and reads it again. In its default mode, with the numbers appended after the XML, it stops where they
 # begin, whether they are raw ("not well-formed (invalid token)") or base64 ("junk after document element"); its source is empty then, and
-# pvbatch goes on. With the numbers inside the XML it reads the file. The VTK of the same Debian release reads all of them, with the same
+# pvpython goes on. With the numbers inside the XML it reads the file. The VTK of the same Debian release reads all of them, with the same
 # libexpat. With libexpat1 2.5.0-1+deb12u1 ParaView did too, and with +deb12u5 it does not.
 #
 # Seen:
@@ -47,7 +47,7 @@ paraview() (
   need paraview=5.11.0+dfsg-1+b1 python3-paraview=5.11.0+dfsg-1+b1
   unpack libexpat1=2.5.0-1+deb12u2
   while read -r name mode encoded; do
-    pvbatch in_paraview.py "$name" "$mode" "$encoded" >log 2>&1 </dev/null
+    pvpython in_paraview.py "$name" "$mode" "$encoded" >log 2>&1 </dev/null
     echo "ParaView, $name: $(grep -oE 'not well-formed.*token\)|junk after document element' log | sed 's/$/, /')$(grep -E '^[0-9]+ points' log)"
   done <<<$'raw Appended 0\nbase64 Appended 1\nbinary Binary 0'
 )

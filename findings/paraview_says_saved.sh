@@ -4,7 +4,7 @@
 # Packages: paraview and python3-paraview 5.11.0+dfsg-1+b1. Downloads some 80 MB. It needs xvfb-run.
 #
 # SaveScreenshot returns True, as after success, for a folder that does not exist, and on a full disk (here
-# the device /dev/full, by a link); what went wrong is on the standard error only, and pvbatch ends with exit code 0. SaveData, for
+# the device /dev/full, by a link); what went wrong is on the standard error only, and pvpython ends with exit code 0. SaveData, for
 # a folder that does not exist, returns None as ever, throws nothing, and the script goes on.
 #
 # Seen:
@@ -44,7 +44,7 @@ attempt("SaveData, a good place", simple.SaveData("a.vtp", proxy=sphere), "a.vtp
 attempt("SaveData, no such folder", simple.SaveData("absent/a.vtp", proxy=sphere), "absent/a.vtp")
 END
 check() {
-  xvfb-run -a -s "-noreset -screen 0 640x480x24" pvbatch check.py
+  xvfb-run -a -s "-noreset -screen 0 640x480x24" pvpython check.py
   echo "exit code $?"
 }
 as_seen check
