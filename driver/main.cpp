@@ -21,17 +21,26 @@ int fail(int code, const char* message) {
   return code;
 }
 
-/// CLI11 would only say that a subcommand is required. @throws InputError for a first word that is none
+/// CLI11 would only say that a subcommand is required. @throws InputError for a word that is none where one
+/// must stand
 void check_subcommand(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return;
-  std::vector<std::string> names;
-  for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; }))
-    names.push_back(command->get_name());
-  if (std::ranges::find(names, argv[1]) != names.end()) return;
-  const auto similar = tanktread::driver::nearest_spelling(argv[1], names);
-  throw tanktread::driver::InputError(fmt::format(
-      "'{}' is no subcommand; {}", argv[1],
-      similar.empty() ? "tanktread --help lists them" : fmt::format("did you mean {}?", similar)));
+  const CLI::App* command = &app;
+  std::string before;
+  for (int k = 1; k < argc && argv[k][0] != '-'; ++k) {
+    std::vector<std::string> names;
+    for (const auto* below : command->get_subcommands([](const CLI::App*) { return true; }))
+      names.push_back(below->get_name());
+    if (names.empty()) return;
+    if (std::ranges::find(names, argv[k]) == names.end()) {
+      const auto similar = tanktread::driver::nearest_spelling(argv[k], names);
+      throw tanktread::driver::InputError(
+          fmt::format("'{}' is no subcommand{}; {}", argv[k], before.empty() ? "" : " of" + before,
+                      similar.empty() ? fmt::format("tanktread{} --help lists them", before)
+                                      : fmt::format("did you mean {}?", similar)));
+    }
+    command = command->get_subcommand(argv[k]);
+    before += fmt::format(" {}", argv[k]);
+  }
 }
 
 }  // namespace

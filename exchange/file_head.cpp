@@ -16,6 +16,8 @@
 #include <string>
 #include <string_view>
 
+#include "exchange/grid_head.hpp"
+#include "exchange/promised_sizes.hpp"
 #include "exchange/vtk_calls.hpp"
 #include "exchange/vtk_files.hpp"
 #include "exchange/whole_file.hpp"
@@ -128,6 +130,27 @@ void refuse_text_numbers(vtkXMLDataElement& element, const std::filesystem::path
     refuse_text_numbers(*element.GetNestedElement(k), file);
 }
 
+/// VTK takes the counts within their arrays on trust.
+void refuse_polyhedra(vtkXMLDataElement& element, const std::filesystem::path& file) {
+  for (int k = 0; k < element.GetNumberOfNestedElements(); ++k) {
+    auto& nested = *element.GetNestedElement(k);
+    if (std::string_view(element.GetName()) == "Cells" &&
+        (has(nested, "Name", "faces") || has(nested, "Name", "faceoffsets"))) {
+      throw FileError(fmt::format(
+          "{}: holds polyhedra (its cells have an array '{}'); only triangles can be read: extract "
+          "the surface and triangulate it first",
+          file.string(), nested.GetAttribute("Name")));
+    }
+    refuse_polyhedra(nested, file);
+  }
+}
+
+std::uint64_t size_of(std::ifstream& stream) {
+  stream.clear();
+  stream.seekg(0, std::ios::end);
+  return static_cast<std::uint64_t>(std::max<std::streamoff>(stream.tellg(), 0));
+}
+
 int n_field_arrays(vtkXMLDataElement& root, const std::string& type) {
   auto* data_set = root.FindNestedElementWithName(type.c_str());
   auto* field_data = data_set != nullptr ? data_set->FindNestedElementWithName("FieldData") : nullptr;
@@ -152,7 +175,10 @@ int check_head(const WholeFile& file, const std::string& type, bool exact) {
   check_type(*parser->GetRootElement(), type, file.name());
   check_array_types(*parser->GetRootElement(), file.name());
   if (exact) refuse_text_numbers(*parser->GetRootElement(), file.name());
-  stream.clear();
+  refuse_polyhedra(*parser->GetRootElement(), file.name());
+  if (auto* grid = parser->GetRootElement()->FindNestedElementWithName("ImageData"))
+    check_grid_head(*grid, file.name());
+  check_promised_sizes(*parser->GetRootElement(), size_of(stream), file.name());
   check_appended_layout(*parser, stream, file.name());
   return n_field_arrays(*parser->GetRootElement(), type);
 }

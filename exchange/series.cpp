@@ -99,10 +99,12 @@ std::vector<SeriesEntry> parse(const std::string& text, const path& file) {
   auto* root = parser->GetRootElement();
   const char* type = root->GetAttribute("type");
   auto* collection = root->FindNestedElementWithName("Collection");
-  if (type == nullptr || std::strcmp(type, "Collection") != 0 || collection == nullptr) {
+  if (type == nullptr || std::strcmp(type, "Collection") != 0) {
     throw FileError(fmt::format("{}: is not a .pvd series: it is of type {}, expected Collection",
                                 file.string(), type != nullptr ? type : "unknown"));
   }
+  if (collection == nullptr)
+    throw FileError(fmt::format("{}: is not a .pvd series: it has no element Collection", file.string()));
   std::vector<SeriesEntry> entries;
   for (int k = 0; k < collection->GetNumberOfNestedElements(); ++k) {
     entries.push_back(to_entry(*collection->GetNestedElement(k), k, file));

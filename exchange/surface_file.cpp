@@ -92,6 +92,13 @@ void add_padding(const SurfacePacket& packet, const std::vector<Array>& hash, vt
   grid.GetFieldData()->AddArray(padding);
 }
 
+/// "Line", "Quad" ...: VTK's class without its prefix.
+std::string name_of_cell(int type) {
+  const char* found = vtkCellTypes::GetClassNameFromTypeId(type);
+  const std::string name = found != nullptr ? found : "";
+  return name.starts_with("vtk") ? name.substr(3) : fmt::format("cell of type {}", type);
+}
+
 std::vector<std::int64_t> triangles_of(vtkUnstructuredGrid& grid, const path& file) {
   const auto n_cells = grid.GetNumberOfCells();
   std::vector<std::int64_t> triangles;
@@ -103,8 +110,7 @@ std::vector<std::int64_t> triangles_of(vtkUnstructuredGrid& grid, const path& fi
       throw FileError(
           fmt::format("{}: cell {} is a {} of {} nodes; only triangles can be read: triangulate the "
                       "surface first, and leave out volume and edge cells",
-                      file.string(), cell, vtkCellTypes::GetClassNameFromTypeId(grid.GetCellType(cell)),
-                      nodes->GetNumberOfIds()));
+                      file.string(), cell, name_of_cell(grid.GetCellType(cell)), nodes->GetNumberOfIds()));
     }
     for (const vtkIdType node : *nodes) {
       check_node(node, grid.GetNumberOfPoints(), triangles.size(), file);

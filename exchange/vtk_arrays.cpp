@@ -98,8 +98,8 @@ std::vector<double> values_of(vtkDataArray& array, Convert convert, const std::s
   }
   if (convert == Convert::nothing) {
     throw FileError(
-        fmt::format("{}: {} is of type {}, not double; a file that was made elsewhere must be read with "
-                    "convert = true, which widens numbers to double",
+        fmt::format("{}: {} is of type {}, not double; a packet keeps every bit: write it as Float64, in "
+                    "numpy float64",
                     file.string(), what, array.GetDataTypeAsString()));
   }
   if (convert == Convert::exactly && array.GetDataType() == VTK_FLOAT) {

@@ -5,6 +5,7 @@
 #include <vtkCommand.h>
 #include <vtkDataCompressor.h>
 #include <vtkDataSet.h>
+#include <vtkErrorCode.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkLogger.h>
@@ -33,12 +34,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// VTK's "ERROR: In file.cxx, line 12\nvtkClass (0x1234): words\n\n" as "vtkClass: words".
+/// VTK's "ERROR: In file.cxx, line 12\nvtkClass (0x1234): words\n\n" as "words": which of its objects spoke
+/// means nothing to a user.
 std::string tidy(const std::string& message) {
-  static const std::regex source_line("^[^\n]*: In [^\n]*, line [0-9]+\n"), address(" \\(0x[0-9a-f]+\\)"),
-      line_break("\\s*\n\\s*");
+  static const std::regex source_line("^[^\n]*: In [^\n]*, line [0-9]+\n");
+  static const std::regex object("vtk\\w+ \\((0x[0-9a-f]+|nullptr)\\)(: )?"), prefix("\\bvtk(?=[A-Z])");
+  static const std::regex line_break("\\s*\n\\s*");
   auto text = std::regex_replace(message, source_line, "");
-  text = std::regex_replace(text, address, "");
+  text = std::regex_replace(text, object, "");
+  text = std::regex_replace(text, prefix, "");
   text.erase(text.find_last_not_of(" \n") + 1);
   return std::regex_replace(text, line_break, " ");
 }
@@ -61,7 +65,11 @@ void check_outcome(const VtkMessages& messages, unsigned long error_code, const 
                    const char* what) {
   auto text = messages.text();
   if (text.empty() && error_code == 0) return;
-  if (text.empty()) text = fmt::format("VTK's error code {} (vtkErrorCode.h)", error_code);
+  if (text.empty() && error_code < vtkErrorCode::FirstVTKErrorCode) {
+    text = std::strerror(static_cast<int>(error_code));
+  } else if (text.empty()) {
+    text = fmt::format("it is not as VTK files are (VTK's error {})", error_code);
+  }
   throw FileError(fmt::format("{}: {}: {}", file.string(), what, text));
 }
 

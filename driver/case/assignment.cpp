@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <sstream>
 #include <vector>
 
+#include "driver/case/key_depth.hpp"
 #include "driver/case/schema.hpp"
 
 namespace tanktread::driver {
@@ -28,8 +30,9 @@ std::optional<std::size_t> index_of(const std::string& text) {
   return std::stoul(text);
 }
 
-/// A table of one entry "value", or none if it is not TOML.
+/// A table of one entry "value", or none if it is not TOML, or TOML with keys of very many parts.
 std::optional<toml::table> parse_value(const std::string& value) {
+  if (line_of_deep_key(value)) return std::nullopt;
   try {
     auto table = toml::parse("value = " + value);
     if (table.size() == 1) return table;
@@ -82,6 +85,8 @@ Assignment split_assignment(const std::string& text) {
 }
 
 std::string lay_over(toml::table& document, const Assignment& assignment) {
+  if (std::ranges::count(assignment.path, '.') >= most_key_parts)
+    return fmt::format("a key of more than {} parts; no key of a case has so many", most_key_parts);
   const auto value = value_of(assignment);
   if (!value) return "the value is not valid TOML; quote texts, and quote the whole for the shell";
   const auto parts = split(assignment.path);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "driver/case/key_depth.hpp"
 #include "driver/case/node_value.hpp"
 #include "driver/case/spelling.hpp"
 
@@ -38,11 +39,17 @@ bool is_known_table(const std::string& path) {
 CaseReader::CaseReader(const std::string& text, const std::string& name,
                        const std::vector<std::string>& assignments)
     : name_(name) {
+  if (const auto line = line_of_deep_key(text)) {
+    throw InputError(fmt::format("{}:{}: a key of more than {} parts; no key of a case has so many, remove it", name,
+                                 *line, most_key_parts));
+  }
   try {
     document_ = toml::parse(text, name);
   } catch (const toml::parse_error& error) {
-    throw InputError(
-        fmt::format("{}:{}: not valid TOML: {}", name, error.source().begin.line, error.description()));
+    const std::string_view description = error.description();
+    // Without the name of the parser's constant that a limit may be said with.
+    throw InputError(fmt::format("{}:{}: not valid TOML: {}", name, error.source().begin.line,
+                                 description.substr(0, description.find(" (TOML_"))));
   }
   for (const auto& assignment : assignments) assign(assignment);
   for (const auto& assignment : assignments_) check_effect(assignment);

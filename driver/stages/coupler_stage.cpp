@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "driver/packets/packet_files.hpp"
 #include "driver/stages/stage_errors.hpp"
 #include "driver/stages/stages.hpp"
@@ -43,22 +45,22 @@ void run(const InterpolateStage& stage) {
 
 /// Positions that stencils cannot be built at are those of the user's file.
 template <class Stage>
-void with_coupler_errors(Stage stage) {
+void with_coupler_errors(const std::filesystem::path& in, Stage stage) {
   try {
     with_stage_errors(stage);
   } catch (const coupler::StencilError& error) {
-    throw InputError(error.what());
+    throw InputError(fmt::format("{}: {}", in.string(), error.what()));
   }
 }
 
 }  // namespace
 
 void run_stage(const SpreadStage& stage) {
-  with_coupler_errors([&] { run(stage); });
+  with_coupler_errors(stage.in, [&] { run(stage); });
 }
 
 void run_stage(const InterpolateStage& stage) {
-  with_coupler_errors([&] { run(stage); });
+  with_coupler_errors(stage.in, [&] { run(stage); });
 }
 
 }  // namespace tanktread::driver

@@ -99,7 +99,7 @@ TEST_F(MeshioWrites, SurfacesInSinglePrecision) {
 }
 
 TEST_F(MeshioWrites, CellsThatAreNotTriangles) {
-  EXPECT_THAT(error_of([&] { read_surface(folder_ / "quads.vtu", true); }), HasSubstr("cell 0 is a vtkQuad"));
+  EXPECT_THAT(error_of([&] { read_surface(folder_ / "quads.vtu", true); }), HasSubstr("cell 0 is a Quad"));
 }
 
 }  // namespace

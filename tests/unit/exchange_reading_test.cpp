@@ -180,11 +180,11 @@ TEST_F(Reading, RefusesCellsThatAreNotTriangles) {
   surface.types = "5 3", surface.offsets = "3 5", surface.connectivity = "0 1 2 0 2";
   EXPECT_THAT(
       surface_error(surface.text()),
-      AllOf(HasSubstr("file.vtu: cell 1 is a vtkLine of 2 nodes; only triangles"), HasSubstr("triangulate")));
+      AllOf(HasSubstr("file.vtu: cell 1 is a Line of 2 nodes; only triangles"), HasSubstr("triangulate")));
   surface.types = "9 5", surface.offsets = "4 7", surface.connectivity = "0 1 2 3 0 2 3";
-  EXPECT_THAT(surface_error(surface.text(), true), HasSubstr("cell 0 is a vtkQuad of 4 nodes"));
+  EXPECT_THAT(surface_error(surface.text(), true), HasSubstr("cell 0 is a Quad of 4 nodes"));
   surface.types = "5 5";
-  EXPECT_THAT(surface_error(surface.text()), HasSubstr("cell 0 is a vtkTriangle of 4 nodes"));
+  EXPECT_THAT(surface_error(surface.text()), HasSubstr("cell 0 is a Triangle of 4 nodes"));
 }
 
 TEST_F(Reading, RefusesNodesThatAreNotThere) {
@@ -208,7 +208,7 @@ TEST_F(Reading, WidensOtherTypesOnlyWhenAsked) {
   surface.points_type = "Float32";
   EXPECT_THAT(surface_error(surface.text()),
               HasSubstr("file.vtu: the array of points is of type float, not double; a "
-                        "file that was made elsewhere must be read with convert = true"));
+                        "packet keeps every bit: write it as Float64"));
   EXPECT_EQ(surface_error(surface.text(), true), "(no error)");
   EXPECT_EQ(surface_.points, (std::vector<double>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0.5}));
   for (const char* type :

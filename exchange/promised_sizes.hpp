@@ -1,0 +1,17 @@
+// Sizes that the head of a VTK file promises, held against the file's own size before anything is made so
+// large.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+class vtkXMLDataElement;
+
+namespace tanktread::exchange {
+
+/// Checks that all counts in the head are whole numbers that such counts can be, and that a file of `n_bytes`
+/// can hold the arrays that they promise: VTK makes room for an array before it looks for its numbers.
+/// @throws FileError naming the count or the array
+void check_promised_sizes(vtkXMLDataElement& root, std::uint64_t n_bytes, const std::filesystem::path& file);
+
+}  // namespace tanktread::exchange

@@ -1,0 +1,121 @@
+"""Case files that must be refused: each row spoils the good case in one way, by its text or by --set."""
+
+from malformed_rows import CASE, Row, changed
+
+RUN = "run case.toml --output out"
+
+
+def text(name, old, new, *message):
+    """The good case with a piece of its text replaced."""
+    return Row(name, RUN, list(message), {"case.toml": changed(CASE, old, new)})
+
+
+def whole(name, content, *message):
+    """Another case file altogether."""
+    return Row(name, RUN, list(message), {"case.toml": content})
+
+
+def assigned(name, assignment, *message):
+    """The good case with an assignment over it, which the message names unless it says otherwise."""
+    return Row(name, RUN + " --set {assignment}", list(message or [assignment]), words={"assignment": assignment})
+
+
+SYNTAX = [
+    whole("an empty file", "", "flow.box", "capsule: is missing"),
+    whole("only a comment", "# nothing\n", "flow.box", "capsule: is missing"),
+    whole("bytes that are no text", bytes(range(128, 256)), "case.toml:1", "not valid TOML"),
+    whole("zero bytes", b"\0" * 64, "case.toml:1", "not valid TOML"),
+    whole("UTF-16", CASE.encode("utf-16"), "case.toml:1", "not valid TOML"),
+    whole("half a file", CASE[: len(CASE) // 2], "case.toml:8", "not valid TOML"),
+    text("a table without its bracket", "[flow]", "[flow", "case.toml:2", "not valid TOML"),
+    text("a key twice", "wall_speed = 0.02", "wall_speed = 0.02\nwall_speed = 0.03", "case.toml:5", "not valid TOML"),
+    text("a table twice", "[run]", "[flow]\n[run]", "case.toml:12", "not valid TOML"),
+    text("a key without a value", "wall_speed = 0.02", "wall_speed =", "case.toml:4", "not valid TOML"),
+    text("a text without its end", '"Small capsule"', '"Small capsule', "case.toml:1", "not valid TOML"),
+    text("a number with a comma", "wall_speed = 0.02", "wall_speed = 0,02", "case.toml:4", "not valid TOML"),
+    text("an integer of 40 digits", "wall_speed = 0.02", "wall_speed = " + "1" * 40, "case.toml:4", "not valid TOML"),
+    text("a date", "wall_speed = 0.02", "wall_speed = 2021-01-01", "case.toml:4", "flow.wall_speed", "a number > 0"),
+    text("lists in lists, 300 deep", "wall_speed = 0.02", "wall_speed = " + "[" * 300 + "]" * 300, "case.toml:4", "not valid TOML"),
+    text("a key of 3000 parts", "wall_speed = 0.02", ".".join(["a"] * 3000) + " = 1", "case.toml:4", "parts"),
+    text("a key of 100 kB", "wall_speed = 0.02", "a" * 100_000 + " = 1", "case.toml:4", "unknown key"),
+]
+
+NAMES = [
+    text("a key that is none", "wall_speed", "wall_sped", "case.toml:4", "did you mean flow.wall_speed?"),
+    text("a table that is none", "[membrane]", "[membrame]", "case.toml:9", "did you mean membrane?"),
+    text("a key in another table", "[run]", '[run]\nkernel = "roma3"', "did you mean coupler.kernel?"),
+    text("a dotted name in quotes", "[flow]", '"flow.kind" = "shear"\n[flow]', "must not be quoted"),
+    text("an empty name", "wall_speed", '"" = 1\nwall_speed', "case.toml:2: flow.: unknown key"),
+    text("one bracket for a capsule", "[[capsule]]", "[capsule]", "write [[capsule]]"),
+    text("a capsule that is a number", "[[capsule]]", "[capsules]", "capsule: is missing"),
+    whole("capsules that are numbers", "capsule = [1, 2]\n" + CASE[: CASE.find("[[capsule")], "capsule", "list of tables"),
+    whole("a table that is a number", "run = 3\n" + CASE[: CASE.find("[run]")], "run = 3", "must be a table"),
+]
+
+TYPES = [
+    assigned("a text for a number", "flow.wall_speed=fast"),
+    assigned("true for a number", "flow.wall_speed=true"),
+    assigned("a number for a text", "flow.kind=3"),
+    assigned("a number for true", "flow.inertia=1"),
+    assigned("a list for a number", "capsule.0.radius=[1, 2]"),
+    assigned("a table for a number", "capsule.0.radius={a = 1}"),
+    assigned("a real for an integer", "capsule.0.mesh.level=2.0"),
+    assigned("two for three", "flow.box=[12, 12]"),
+    assigned("four for three", "flow.box=[12, 12, 12, 12]"),
+    assigned("a text in a list of numbers", "capsule.0.position=[6, 6, 'a']"),
+    assigned("a list in a list of numbers", "capsule.0.position=[6, 6, [6]]"),
+    assigned("two words in one range", "output.fluid_box=[[0, 1], [0, 1], [0]]"),
+    assigned("a program that is a text", "membrane.command=sh"),
+    assigned("a program of numbers", "membrane.command=[1]"),
+    assigned("a word that is none", "flow.kind=sheer", 'did you mean "shear"?'),
+    assigned("an empty word", "coupler.kernel=", "coupler.kernel"),
+]
+
+RANGES = [
+    assigned("not a number", "flow.wall_speed=nan", "is not finite"),
+    assigned("infinite", "flow.wall_speed=inf", "is not finite"),
+    assigned("minus infinite", "flow.body_force=[0, 0, -inf]"),
+    assigned("no wall speed", "flow.wall_speed=0"),
+    assigned("a negative radius", "capsule.0.radius=-3"),
+    assigned("no radius", "capsule.0.radius=0.0"),
+    assigned("relaxation time of one half", "flow.relaxation_time=0.5", "a number > 0.5"),
+    assigned("a box of three", "flow.box=[12, 12, 3]", "three integers >= 4"),
+    assigned("a negative box", "flow.box=[12, 12, -12]", "three integers >= 4"),
+    assigned("a box beyond 32 bits", "flow.box=[12, 12, 4294967308]", "three integers"),
+    assigned("a level of nine", "capsule.0.mesh.level=9", "an integer >= 0 and <= 8"),
+    assigned("a negative level", "capsule.0.mesh.level=-1", "an integer >= 0 and <= 8"),
+    assigned("a level beyond 64 bits", "capsule.0.mesh.level=99999999999999999999"),
+    assigned("a Poisson ratio of one", "membrane.poisson_ratio=1"),
+    assigned("a capillary number of zero", "membrane.capillary_number=0", "a number > 0"),
+    assigned("an interval of zero", "membrane.viscous.interval=0", "an integer >= 1"),
+    assigned("negative threads", "run.threads=-1", "an integer >= 0"),
+    assigned("a million threads", "run.threads=1000000"),
+    assigned("a negative end", "run.shear_time=-1"),
+    assigned("an end that is not a number", "run.shear_time=nan", "is not finite"),
+    assigned("no checkpoints", "run.checkpoint_every=0", "a number > 0"),
+    assigned("a negative output interval", "output.membrane_every=-0.5"),
+    assigned("a fluid box outside", "output.fluid_box=[[0, 12], [0, 1], [0, 1]]", "output.fluid_box", "<= 11"),
+    assigned("a fluid box backwards", "output.fluid_box=[[3, 2], [0, 1], [0, 1]]", "output.fluid_box", "first <= last"),
+]
+
+TOGETHER = [
+    assigned("two speeds", "flow.reynolds_number=0.1", "contradicts"),
+    assigned("a shear rate between walls", "flow.shear_rate=1e-4", 'kind = "periodic"'),
+    assigned("a wall across the flow", "flow.flow_axis=z", "wall axis"),
+    assigned("a parameter of another law", "membrane.area_ratio=1", "neo-hookean", "has none"),
+    assigned("a modulus of another law", "membrane.capillary_modulus=gamma", "contradicts elastic_law"),
+    assigned("a scheme without a spring", "membrane.viscous.scheme=fd", "exactly one of spring_stiffness"),
+    assigned("an inner viscosity", "flow.viscosity_ratio=5", "only 1 can be run"),
+    assigned("a program that is not there", "membrane.command=['no-such-program']", "no-such-program"),
+    assigned("a capsule outside the box", "capsule.0.position=[6, 6, 60]", "capsule.0.position", "outside the box"),
+    assigned("a capsule in the wall", "capsule.0.position=[6, 6, 1]", "capsule.0.position", "wall"),
+    assigned("a capsule over its image", "capsule.0.radius=6.5", "capsule.0.radius", "periodic image"),
+    assigned("a position that is not a number", "capsule.0.position=[6, nan, 6]", "capsule.0.position"),
+    text("two capsules in one place", "[membrane]", "[[capsule]]\nradius = 3\nposition = [6, 6, 6]\n[membrane]", "overlaps capsule 0"),
+    text("no box", "box = [12, 12, 12]\n", "", "flow.box: is missing"),
+    text("no speed", "wall_speed = 0.02\n", "", "flow.reynolds_number: is missing"),
+    text("no radius at all", "radius = 3.0\n", "", "capsule.0.radius: is missing"),
+    text("numbers in two unit systems", "[run]", "[si]\nradius_m = 4e-6\n[run]", "si.", "capillary_number"),
+]
+
+ROWS = [*SYNTAX, *NAMES, *TYPES, *RANGES, *TOGETHER]

@@ -1,0 +1,109 @@
+"""Command lines that must be refused."""
+
+from malformed_rows import Row, surface
+
+RUN = "run case.toml --output new"
+
+SUBCOMMANDS = [
+    Row("no subcommand", "", ["subcommand"]),
+    Row("a subcommand that is none", "rnu case.toml", ["'rnu'", "did you mean run?"]),
+    Row("an option before the subcommand", "--threads 2 run case.toml", ["--threads"]),
+    Row("a component without its subcommand", "coupler", ["subcommand"]),
+    Row("a mesh that is none", "mesh cube x.vtu", ["cube"]),
+    Row("a study that is none", "study viscometer", ["viscometer"]),
+]
+
+RUNS = [
+    Row("no case", "run", ["a case file (or --resume DIR) is needed"]),
+    Row("a plan of nothing", "plan", ["case"]),
+    Row("a case that is not there", "run none.toml", ["none.toml: there is no such case file"]),
+    Row("a case that is a folder", "run .", [".: there is no such case file"]),
+    Row("two cases", "run case.toml case.toml", ["case.toml"]),
+    Row("an option that is none", RUN + " --treads 2", ["--treads"]),
+    Row("an option without its value", RUN + " --set", ["--set"]),
+    Row("an assignment of nothing", RUN + " --set flow.box", ["--set flow.box: write key=value"]),
+    Row("an assignment to nothing", RUN + " --set =3", ["--set =3: write key=value"]),
+    Row("an assignment to a key that is none", RUN + " --set flow.bxo=3", ["flow.bxo", "did you mean flow.box?"]),
+    Row("an assignment to the sixth capsule", RUN + " --set capsule.5.radius=3", ["capsule.5", "there is 1 capsule, number 0"]),
+    Row("an assignment to capsule x", RUN + " --set capsule.x.radius=3", ["capsule.x"]),
+    Row("an assignment to capsule 10^20", RUN + " --set capsule.100000000000000000000.radius=3", ["capsule.100000000000000000000"]),
+    Row("an assignment beyond a list", RUN + " --set flow.box.7=3", ["flow.box.7", "elements 0 to 2"]),
+    Row("an assignment within a number", RUN + " --set flow.wall_speed.x=3", ["flow.wall_speed is a single value"]),
+    Row("an assignment that is not TOML", RUN + " --set flow.box=[12,12", ["flow.box", "not valid TOML"]),
+    Row("an assignment of 3000 parts", RUN + " --set " + ".".join(["a"] * 3000) + "=1", ["more than 32 parts"]),
+    Row("threads that are a word", RUN + " --threads two", ["--threads", "two"]),
+    Row("threads below nought", RUN + " --threads -1", ["--threads", "-1"]),
+    Row("an end that is a word", RUN + " --shear-time soon", ["--shear-time", "soon"]),
+    Row("an end below nought", RUN + " --shear-time -1", ["shear", "-1"]),
+    Row("a resume of nothing", "run --resume none", ["--resume none", "echo.toml"]),
+    Row("a resume of a file", "run --resume case.toml", ["--resume case.toml", "echo.toml"]),
+    Row("a resume elsewhere", "run --resume out --output new", ["--resume", "--output"]),
+    Row("a resume with other keys", "run --resume out --set run.threads=1", ["--resume", "--set"]),
+    Row("a resume into the past", "run --resume out --shear-time 0.001", ["--shear-time 0.001", "give a later time"], run=True),
+    Row("a record that ends before it begins", RUN + " --record r --from 5 --to 2", ["--from 5 --to 2"]),
+    Row("a record beyond the end", RUN + " --record r --to 100000", ["--to 100000"]),
+    Row("a record of no name", RUN + " --from 1", ["--from", "--record"]),
+    Row("a record beside files", RUN + " --record r --through-files", ["--record", "--through-files"]),
+    Row("a record over a file", RUN + " --record case.toml", ["--record case.toml", "is no directory"]),
+    Row("a record over another", RUN + " --record record", ["--record record", "holds something already"], run=True),
+    Row("an output that is a file", "run case.toml --output case.toml", ["--output case.toml: is a file"]),
+    Row("an output over a run", "run case.toml --output out", ["--output out", "--force", "--resume out"], run=True),
+    Row("--force over what is no run", "run case.toml --output . --force", ["--output .", "--force removes an earlier run only"]),
+]
+
+STAGES = [
+    Row("a membrane of no case", "membrane --out x.vtu", ["--case"]),
+    Row("a membrane to nowhere", "membrane --case case.toml", ["--out"]),
+    Row("a membrane to a folder that is not there", "membrane --case case.toml --out none/x.vtu", ["none/x.vtu: there is no folder"]),
+    Row("a membrane to a folder", "membrane --case case.toml --out .", ["is a folder"]),
+    Row("a membrane from nothing", "membrane --case case.toml --in none.vtu --out x.vtu", ["none.vtu: no such file"]),
+    Row("a move of nothing", "membrane --case case.toml --move --out x.vtu", ["--move", "--in"]),
+    Row("a motion that is not there", "membrane --case case.toml --motion none.pvd --out x", ["none.pvd: no such file"]),
+    Row("a twist of no period", "membrane --case case.toml --motion twist --period 0 --out x", ["--period", "0"]),
+    Row("a twist of one word", "membrane --case case.toml --motion twist --every often --out x", ["--every", "often"]),
+    Row("a spread of nothing", "coupler spread --case case.toml --in none.vtu --out x.vti", ["none.vtu: no such file"]),
+    Row("an interpolation without a grid", "coupler interpolate --case case.toml --in a.vtu --out x.vtu", ["--grid"]),
+    Row("a fluid of -1 steps", "fluid --case case.toml --steps -1 --out x.vti", ["--steps", "-1"]),
+    Row("a fluid of one step and a half", "fluid --case case.toml --steps 1.5 --out x.vti", ["--steps", "1.5"]),
+    Row("a fluid of two files in one", "fluid --case case.toml --out x.vti --fields x.vti", ["--fields and --out name one file"]),
+    Row("a fluid from nothing", "fluid --case case.toml --state none.vti --out x.vti", ["none.vti: no such file"]),
+    Row("a replay of no record", "replay . --only fluid", ["holds no echo.toml"]),
+    Row("a replay of no component", "replay record --only brain", ["--only", "brain"]),
+    Row("a replay into a full folder", "replay record --only fluid --out out", ["--out out: holds something already"], run=True),
+]
+
+MESHES = [
+    Row("a sphere of level nine", "mesh sphere --level 9 x.vtu", ["--level", "9"]),
+    Row("a sphere of level half", "mesh sphere --level 0.5 x.vtu", ["--level", "0.5"]),
+    Row("a sphere of no radius", "mesh sphere --radius 0 x.vtu", ["--radius", "0"]),
+    Row("a sphere of a comma", "mesh sphere --radius 3,5 x.vtu", ["--radius", "3,5"]),
+    Row("a sphere of two coordinates", "mesh sphere --centre 1 2 --radius 1 x.vtu", ["--centre"]),
+    Row("a sphere of no name", "mesh sphere", ["file"]),
+    Row("a sphere in no folder", "mesh sphere none/x.vtu", ["none/x.vtu", "there is no folder"]),
+    Row("a mesh that is not there", "mesh info none.vtu", ["none.vtu: no such file"]),
+    Row("a mesh that is a folder", "mesh info .", [".: is a folder"]),
+]
+
+STUDIES = [
+    Row("a scheme that is none", "study maxwell --scheme euler --out x.csv", ["euler"]),
+    Row("a time step of nought", "study maxwell --dt 0 --out x.csv", ["is 0, must be positive"]),
+    Row("a stiffness that is not a number", "study maxwell --k nan --out x.csv", ["nan"]),
+    Row("a period below nought", "study maxwell --period -20 --out x.csv", ["-20"]),
+    Row("a table in no folder", "study maxwell --out none/x.csv", ["none/x.csv", "there is no folder"]),
+    Row("a kernel that is none", "study strain-rate-noise --kernel round --out x.csv", ["round"]),
+    Row("a grid of no nodes", "study strain-rate-noise --nodes 0 --out x.csv", ["nodes", "0"]),
+    Row("an interval of no steps", "study strain-rate-noise --interval 0 --out x.csv", ["0"]),
+    Row("an approach that is none", "study twisting-sphere --approach air --out x.csv", ["--approach", "air"]),
+    Row("a level that is none", "study twisting-sphere --level 12 --out x.csv", ["--level", "12"]),
+]
+
+DIFFERENCES = [
+    Row("one file", "diff case.toml", ["second"]),
+    Row("a file and nothing", "diff case.toml none.toml", ["none.toml: no such file or directory"]),
+    Row("a file and a folder", "diff case.toml .", ["is a directory"]),
+    Row("two kinds of files", "diff case.toml a.vtu", ["files of two kinds"], {"a.vtu": surface()}),
+    Row("a tolerance below nought", "diff case.toml case.toml --tolerance -1", ["--tolerance -1", "0 (bit for bit) or above"]),
+    Row("a tolerance that is not a number", "diff case.toml case.toml --tolerance nan", ["--tolerance nan"]),
+]
+
+ROWS = [*SUBCOMMANDS, *RUNS, *STAGES, *MESHES, *STUDIES, *DIFFERENCES]

@@ -1,0 +1,177 @@
+"""Surfaces and grids that must be refused: meshes of the user's, packets for a component by itself."""
+
+import base64
+import re
+import struct
+import zlib
+
+from malformed_rows import TETRAHEDRON, TRIANGLES, Row, array, changed, field, grid, series, surface, vtk_file
+
+GOOD = surface()
+
+
+def mesh(name, content, *message):
+    """A mesh from another program, looked at and given to a case."""
+    return Row(name, "mesh info cell.vtu", ["cell.vtu", *message], {"cell.vtu": content})
+
+
+def of_case(name, content, *message):
+    return Row(name, "run case.toml --output new --set {mesh}", ["cell.vtu", *message], {"cell.vtu": content}, {"mesh": "capsule.0.mesh={file = 'cell.vtu'}"})
+
+
+HEADS = [
+    mesh("an empty mesh", "", "cut off, or not a VTK XML file"),
+    mesh("a mesh of zeros", b"\0" * 1000, "cut off, or not a VTK XML file"),
+    mesh("half a mesh", GOOD[: len(GOOD) // 2], "cut off"),
+    mesh("a mesh without its first half", GOOD[len(GOOD) // 2 :], "cell.vtu: cannot be read"),
+    mesh("only the end of a mesh", "</VTKFile>", "cannot be read"),
+    mesh("XML of another kind", "<svg></svg><!-- </VTKFile> -->\n</VTKFile>", "cannot be read"),
+    mesh("a root that is no VTKFile", '<File type="UnstructuredGrid"><VTKFile></VTKFile></File></VTKFile>', "cannot be read"),
+    mesh("a mesh of no type", GOOD.replace(' type="UnstructuredGrid"', ""), "is not a VTK XML file"),
+    mesh("a grid for a mesh", grid(), "type ImageData, expected UnstructuredGrid"),
+    mesh("a series for a mesh", series(), "type Collection, expected UnstructuredGrid"),
+    mesh("two types of numbers", GOOD.replace('"Float64"', '"Float65"'), "unknown type 'Float65'"),
+    mesh("an array without a type", GOOD.replace(' type="Int64"', "", 1), "unknown type ''"),
+    mesh("a parent that is not closed", GOOD.replace("</Cells>", ""), "cannot be read"),
+    mesh("an entity that is none", GOOD.replace('Name="Points"', 'Name="&points;"'), "cannot be read"),
+]
+
+CELLS = [
+    mesh("no points", surface(points=(), corners=()), "cell.vtu"),
+    mesh("a node that is not there", surface(corners=(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 4)), "triangle 3 has node 4, outside 0 to 3"),
+    mesh("a node below nought", surface(corners=(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, -1)), "triangle 3 has node -1"),
+    mesh("a node of 2^62", surface(corners=(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 2**62)), "triangle 3 has node"),
+    mesh("quadrilaterals", surface(corners=TRIANGLES, offsets=(4, 8, 12), types=(9, 9, 9), n_cells=3), "only triangles can be read"),
+    mesh("a line among triangles", surface(types=(5, 5, 5, 3)), "cell 3", "only triangles"),
+    mesh("a triangle of four nodes", surface(offsets=(3, 6, 8, 12)), "cell 2"),
+    mesh("a type that is none", surface(types=(5, 5, 5, 200)), "cell 3"),
+    mesh("polyhedra", surface(more=array("faces", [1, 3, 0, 1, 2] * 4, kind="Int64")), "holds polyhedra"),
+    mesh("ends that go back", surface(offsets=(3, 9, 6, 12)), "offsets"),
+    mesh("ends below nought", surface(offsets=(3, -6, 9, 12)), "offsets"),
+    mesh("ends beyond the corners", surface(offsets=(3, 6, 9, 15)), "cell.vtu"),
+    mesh("more cells than there are", surface(n_cells=7), "cell.vtu"),
+    mesh("more points than there are", surface(n_points=7), "cell.vtu"),
+    mesh("points of two coordinates", surface().replace('Name="Points" NumberOfComponents="3"', 'Name="Points" NumberOfComponents="2"'), "cell.vtu"),
+    mesh("cells without their types", surface().replace('Name="types"', 'Name="kinds"'), "cell.vtu"),
+    mesh("a mesh of no points' array", changed(GOOD, array("Points", TETRAHEDRON, 3), ""), "cell.vtu"),
+]
+
+PROMISES = [
+    mesh("a promise of 10^12 points", surface(n_points=10**12), "promises"),
+    mesh("a promise of 10^30 points", surface(n_points=10**30), "NumberOfPoints"),
+    mesh("a promise of -4 points", surface(n_points=-4), "NumberOfPoints"),
+    mesh("a promise of some points", surface(n_points="some"), "NumberOfPoints"),
+    mesh("a promise of 10^12 cells", surface(n_cells=10**12), "promises"),
+    mesh("a promise of -1 cells", surface(n_cells=-1), "NumberOfCells"),
+    mesh("a promise of 10^12 numbers", surface(field_data=field("step", [1]).replace('NumberOfTuples="1"', 'NumberOfTuples="1000000000000"')), "promises"),
+    mesh("a promise of 10^9 components", surface(point_data=array("a", [1, 2, 3, 4], 10**9)), "promises"),
+    mesh("a promise of no components", surface(point_data=array("a", [1, 2, 3, 4], 0)), "NumberOfComponents"),
+]
+
+SHAPES = [
+    mesh("an open mesh", surface(corners=TRIANGLES[:9]), "the surface is open"),
+    mesh("a mesh inside out in part", surface(corners=(0, 1, 2) + TRIANGLES[3:]), "wound against each other"),
+    mesh("a flat mesh", surface(points=(0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0)), "cell.vtu"),
+    mesh("a mesh of one point", surface(points=(0, 0, 0) * 4), "cell.vtu"),
+    mesh("a mesh of a point that is not a number", surface(points=TETRAHEDRON[:11] + (float("nan"),)), "cell.vtu"),
+    mesh("a mesh out to infinity", surface(points=TETRAHEDRON[:11] + (float("inf"),)), "cell.vtu"),
+    mesh("a mesh beyond all squares", surface(points=TETRAHEDRON[:11] + (1e300,)), "cell.vtu"),
+    mesh("a triangle of two nodes", surface(corners=(0, 2, 2) + TRIANGLES[3:]), "cell.vtu"),
+    of_case("a case's mesh that is open", surface(corners=TRIANGLES[:9]), "the surface is open"),
+    of_case("a case's mesh that is cut off", GOOD[:-20], "cut off"),
+    of_case("a case's mesh of another program's making", "solid cell\nendsolid cell\n", "cell.vtu"),
+]
+
+
+def spread(name, content, *message):
+    return Row(name, "coupler spread --case case.toml --in a.vtu --out x.vti", ["a.vtu", *message], {"a.vtu": content})
+
+
+def interpolate(name, content, *message):
+    """A velocity on a grid; of a good surface."""
+    files = {"a.vtu": INSIDE, "g.vti": content}
+    return Row(name, "coupler interpolate --case case.toml --in a.vtu --grid g.vti --out x.vtu", ["g.vti", *message], files)
+
+
+def moved(x):
+    return tuple(6 + v + x for v in TETRAHEDRON)
+
+
+FORCE = array("total_force", [0.0] * 12, 3)
+INSIDE = surface(moved(0), point_data=FORCE)
+VELOCITY = array("velocity", [0.0] * (3 * 12**3), 3)
+
+PACKETS = [
+    spread("a packet without its array", surface(points=moved(0)), "total_force"),
+    spread("a packet of scalars", surface(points=moved(0), point_data=array("total_force", [0.0] * 4)), "has 1 components; a vector has 3"),
+    spread("a packet of single numbers", surface(points=moved(0), point_data=array("total_force", [0.0] * 12, 3, "Float32")), "total_force", "not double"),
+    spread("a packet of text numbers", INSIDE.replace('format="binary"', 'format="ascii"'), "ASCII"),
+    spread("a packet of an array cut short", surface(points=moved(0), point_data=array("total_force", [0.0] * 9, 3)), "a.vtu"),
+    spread("a packet outside the box", surface(moved(100), point_data=FORCE), "node"),
+    spread("a packet nowhere", surface(moved(float("nan")), point_data=FORCE), "node"),
+    spread("a packet of capsule 7 alone", surface(points=moved(0), cell_data=array("capsule", [7.0] * 4)), "capsule"),
+    spread("a packet of capsules in disorder", surface(points=moved(0), cell_data=array("capsule", [0.0, 1, 0, 1])), "must count the capsules from 0"),
+    spread("a packet of half a capsule", surface(points=moved(0), cell_data=array("capsule", [0.0, 0.5, 1, 1])), "must count the capsules from 0"),
+    spread("a packet of capsules that share nodes", surface(points=moved(0), cell_data=array("capsule", [0.0, 0, 1, 1])), "must lie together"),
+    spread("a packet of a newer program", surface(points=moved(0), field_data=field("schema_version", [99.0])), "schema version 99"),
+    spread("a packet of no version", surface(points=moved(0), field_data=field("schema_version", [])), "schema"),
+    spread("a packet of half a step", surface(moved(0), point_data=FORCE, field_data=field("step", [0.5])), "'step' must be one whole number"),
+    spread("a packet of two steps", surface(moved(0), point_data=FORCE, field_data=field("step", [1.0, 2.0])), "'step' must be one whole number"),
+    interpolate("a grid without its array", grid(), "velocity"),
+    interpolate("a grid of scalars", grid(point_data=array("velocity", [0.0] * 12**3)), "has 1 components"),
+    interpolate("a grid of another box", grid("0 1 0 1 0 1", point_data=array("velocity", [0.0] * 24, 3)), "2 x 2 x 2", "flow.box = [12, 12, 12]"),
+    interpolate("a grid elsewhere", grid(origin="0 0 0", point_data=VELOCITY), "(0, 0, 0)"),
+    interpolate("a grid of wider steps", grid(spacing="2 2 2", point_data=VELOCITY), "(2, 2, 2)"),
+    interpolate("a grid without nodes", grid("0 -1 0 -1 0 -1"), "g.vti"),
+    interpolate("a grid of 10^12 nodes", grid("0 9999 0 9999 0 9999", point_data=VELOCITY), "promises"),
+    interpolate("a grid of 10^27 nodes", grid("0 999999999 0 999999999 0 999999999", point_data=VELOCITY), "promises"),
+    interpolate("a grid beyond 32 bits", grid("0 4294967307 0 11 0 11", point_data=VELOCITY), "WholeExtent"),
+    interpolate("a grid of five ends", grid("0 11 0 11 0", point_data=VELOCITY), "WholeExtent"),
+    interpolate("a grid of words", grid("a b c d e f", point_data=VELOCITY), "WholeExtent"),
+    interpolate("a grid that is turned", grid(direction='Direction="0 1 0 -1 0 0 0 0 1"', point_data=VELOCITY), "axes are turned"),
+    interpolate("a grid of cells", grid(cell_data=array("velocity", [0.0] * (3 * 11**3), 3)), "cell data"),
+    interpolate("a grid of a part", grid(piece="0 5 0 11 0 11", point_data=array("velocity", [0.0] * (3 * 6 * 12**2), 3)), "a part is missing"),
+    interpolate("a grid that is a surface", surface(), "type UnstructuredGrid, expected ImageData"),
+    interpolate("a grid of a spacing that is not a number", grid(spacing="nan 1 1", point_data=VELOCITY), 'Spacing="nan 1 1"', "3 finite numbers"),
+    interpolate("a grid from nowhere", grid(origin="a b c", point_data=VELOCITY), 'Origin="a b c"', "3 finite numbers"),
+    interpolate("a grid of half an axis", grid(direction='Direction="1 0 0 0"', point_data=VELOCITY), "9 finite numbers"),
+]
+
+
+
+def packed(match):
+    """An array in base64, compressed."""
+    numbers = base64.b64decode(match.group(2))
+    block = zlib.compress(numbers[4:])
+    head = struct.pack("<4I", 1, len(numbers) - 4, 0, len(block))
+    return match.group(1) + base64.b64encode(head).decode() + base64.b64encode(block).decode() + "<"
+
+
+def in_two_pieces():
+    """A grid whose two pieces share the nodes at their border."""
+    pieces = "".join(
+        f'<Piece Extent="{extent}">\n<PointData>{array("velocity", [0.0] * (3 * n * 12**2), 3)}</PointData>\n</Piece>\n'
+        for extent, n in (("0 5 0 11 0 11", 6), ("5 11 0 11 0 11", 7))
+    )
+    return vtk_file("ImageData", pieces, 'WholeExtent="0 11 0 11 0 11" Origin="0.5 0.5 0.5" Spacing="1 1 1"')
+
+
+def compressed():
+    """A mesh with a million zeros, which take a kilobyte."""
+    zeros = zlib.compress(bytes(8 * 4 * 250_000))
+    head = base64.b64encode(struct.pack("<4I", 1, 8 * 4 * 250_000, 0, len(zeros))).decode()
+    data = f'<DataArray type="Float64" Name="zeros" NumberOfComponents="250000" format="binary">{head}{base64.b64encode(zeros).decode()}</DataArray>'
+    others = re.sub(r'(format="binary">)([^<]*)<', packed, surface())
+    return changed(changed(others, "<PointData>", "<PointData>" + data), "header_type", 'compressor="vtkZLibDataCompressor" header_type')
+
+
+# What must go well: neighbours of rows, spoilt in nothing.
+ACCEPTED = [
+    Row("a mesh", "mesh info cell.vtu", [], {"cell.vtu": GOOD}),
+    Row("a mesh that is compressed", "mesh info cell.vtu", [], {"cell.vtu": compressed()}),
+    Row("a packet", "coupler spread --case case.toml --in a.vtu --out x.vti", [], {"a.vtu": INSIDE}),
+    Row("a grid", "coupler interpolate --case case.toml --in a.vtu --grid g.vti --out x.vtu", [], {"a.vtu": INSIDE, "g.vti": grid(point_data=VELOCITY)}),
+    Row("a grid in two pieces", "coupler interpolate --case case.toml --in a.vtu --grid g.vti --out x.vtu", [], {"a.vtu": INSIDE, "g.vti": in_two_pieces()}),
+]
+
+ROWS = [*HEADS, *CELLS, *PROMISES, *SHAPES, *PACKETS]
