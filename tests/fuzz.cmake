@@ -1,5 +1,6 @@
 # Fuzzers of all that is read from outside, by tests/fuzz/run; and their entries as ordinary tests on their seeds. Included by
 # tests/CMakeLists.txt in a build of everything.
+find_package(fmt REQUIRED)
 find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel IOXML)
 add_library(tanktread_fuzz_targets STATIC fuzz/targets.cpp fuzz/seeds.cpp fuzz/input_file.cpp)
 tanktread_compile_options(tanktread_fuzz_targets)
@@ -9,7 +10,7 @@ target_link_libraries(tanktread_fuzz_targets PUBLIC tanktread_driver tanktread::
 
 if(TANKTREAD_FUZZ)
   add_executable(write_seeds fuzz/write_seeds.cpp)
-  target_link_libraries(write_seeds PRIVATE tanktread_fuzz_targets)
+  target_link_libraries(write_seeds PRIVATE tanktread_fuzz_targets fmt::fmt)
   add_custom_target(fuzzers DEPENDS write_seeds)
   foreach(target case_file assignment surface grid series table observables)
     add_executable(fuzz_${target} fuzz/fuzzer.cpp)

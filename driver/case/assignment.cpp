@@ -7,6 +7,7 @@
 #include <sstream>
 #include <vector>
 
+#include "driver/case/case_value.hpp"
 #include "driver/case/key_depth.hpp"
 #include "driver/case/schema.hpp"
 
@@ -50,7 +51,7 @@ std::optional<toml::table> value_of(const Assignment& assignment) {
   if (!wants_text) {
     if (auto table = parse_value(value)) return table;
   }
-  return toml::table{{"value", value}};
+  return parse_value(toml_text(Value(value)));  // which holds it against TOML's UTF-8
 }
 
 /// What an array has, for a message: the list of capsules or an array of numbers.

@@ -193,7 +193,8 @@ std::vector<std::string> seeds(const std::string& target) {
 std::vector<std::string> words(const std::string& target) {
   if (target == "case_file" || target == "assignment") return words_of_cases();
   if (target == "surface" || target == "grid" || target == "series") return words_of_vtk();
-  return {};
+  return {
+      ",", "\n", "\r\n", "#", "\n====\n", "nan", "-inf", "1e-300", "step,shear_time", "9223372036854775808"};
 }
 
 }  // namespace tanktread::fuzz

@@ -9,7 +9,7 @@ namespace tanktread::fuzz {
 /// Whole inputs of a target (targets.hpp).
 std::vector<std::string> seeds(const std::string& target);
 
-/// Words of a target's language, which a fuzzer puts in and swaps; empty: none are needed.
+/// Words of a target's language, which a fuzzer puts in and swaps.
 std::vector<std::string> words(const std::string& target);
 
 }  // namespace tanktread::fuzz

@@ -1,5 +1,7 @@
 // Writes the seeds of a target, a file each, and its words as a dictionary: write_seeds TARGET FOLDER
 // DICTIONARY.
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <string>
 
@@ -13,7 +15,12 @@ std::string quoted(const std::string& word) {
   std::string text = "\"";
   for (const char c : word) {
     if (c == '"' || c == '\\') text += '\\';
-    text += c;
+    // Other characters than printable ones in hexadecimal digits.
+    if (c >= ' ' && c <= '~') {
+      text += c;
+    } else {
+      text += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    }
   }
   return text + "\"\n";
 }

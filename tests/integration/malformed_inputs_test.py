@@ -21,7 +21,7 @@ from malformed_rows import CASE
 # What a user's message must not speak of: classes of libraries, addresses, lines of sources, C++'s own errors.
 LOWER_LAYERS = re.compile(
     r"vtk[A-Z]|0x[0-9a-f]{4}|std::|CLI::|toml::|Eigen|terminate|what\(\)|bad_alloc|basic_string|vector::|stoul|stoi|filesystem error"
-    r"|\.cpp\b|\.cxx\b|[Aa]ssert|Segmentation|Sanitizer|runtime error|convert = true|\[json|Traceback"
+    r"|\.cpp\b|\.cxx\b|[Aa]ssert|Segmentation|Sanitizer|runtime error|convert = true|Traceback|TOML_|->[0-9]|[0-9]{100}"
 )
 LONGEST = 20  # seconds that a refusal may take before it is called a hang; it takes a fiftieth of one
 LEAST_ROWS = 120

@@ -123,6 +123,8 @@ TEST(CaseSet, WhatCannotBeSet) {
               HasSubstr("is a single value, it has no 'x'"));
   EXPECT_THAT(refusal(least_case, {"flow.box=[1, 2"}), HasSubstr("not valid TOML"));
   EXPECT_THAT(refusal(least_case, {"title=\"open"}), HasSubstr("not valid TOML"));
+  // A word that is not UTF-8 would make an echo that is no TOML.
+  EXPECT_THAT(refusal(least_case, {"title=\xff"}), HasSubstr("not valid TOML"));
   EXPECT_THAT(refusal("[flow]\nbox = [9, 9, 9]\n", {"capsule.0.radius=3"}), HasSubstr("write [[capsule]]"));
   EXPECT_NE(refusal(least_case, {"flow.box=[36, 40, 44]\ntitle = \"smuggled\""}), "");
 }
