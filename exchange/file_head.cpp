@@ -16,6 +16,7 @@
 #include <string>
 #include <string_view>
 
+#include "exchange/compressed_blocks.hpp"
 #include "exchange/grid_head.hpp"
 #include "exchange/promised_sizes.hpp"
 #include "exchange/vtk_calls.hpp"
@@ -178,7 +179,9 @@ int check_head(const WholeFile& file, const std::string& type, bool exact) {
   refuse_polyhedra(*parser->GetRootElement(), file.name());
   if (auto* grid = parser->GetRootElement()->FindNestedElementWithName("ImageData"))
     check_grid_head(*grid, file.name());
-  check_promised_sizes(*parser->GetRootElement(), size_of(stream), file.name());
+  const auto n_bytes = size_of(stream);
+  check_promised_sizes(*parser->GetRootElement(), n_bytes, file.name());
+  check_compressed_blocks(*parser, stream, n_bytes, file.name());
   check_appended_layout(*parser, stream, file.name());
   return n_field_arrays(*parser->GetRootElement(), type);
 }

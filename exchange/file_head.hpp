@@ -22,7 +22,9 @@ void parse_head(vtkXMLDataParser& parser, std::istream& stream, const std::files
 ///   an offset with its length in bytes, and ends where the next begins, the last where XML goes on. With
 ///   bytes missing in between VTK would take other numbers for the array's. Files in other forms are let
 ///   through.
-/// - all counts are whole numbers, and the arrays that they promise are no larger than the file can hold;
+/// - all counts are whole numbers, and the arrays (and compressed blocks) that they promise are no larger
+/// than the
+///   file can hold;
 /// - a grid's frame is all numbers, and its pieces fill it;
 /// - there are no polyhedra.
 /// @param exact refuses arrays written as ASCII, which need not keep every bit

@@ -16,9 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How much larger an array may be than what it takes in a file: as text a number of 8 bytes may be a digit
-/// and a blank; compressed, zlib packs equal numbers a thousand to one, LZMA some seven thousand to one.
-constexpr double growth_of_text = 4, growth_of_compressed = 10000;
+/// How much larger numbers may be than they are in the file as text: 8 bytes may be a digit and a blank.
+constexpr double growth_of_text = 4;
 
 std::string name_of(vtkXMLDataElement& element) {
   const char* name = element.GetAttribute("Name");

@@ -9,6 +9,10 @@ class vtkXMLDataElement;
 
 namespace tanktread::exchange {
 
+/// How much larger compressed numbers may be than they are in the file: zlib packs equal ones a thousand to
+/// one, LZMA some seven thousand to one.
+inline constexpr double growth_of_compressed = 10000;
+
 /// Checks that all counts in the head are whole numbers that such counts can be, and that a file of `n_bytes`
 /// can hold the arrays that they promise: VTK makes room for an array before it looks for its numbers.
 /// @throws FileError naming the count or the array

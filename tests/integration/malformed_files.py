@@ -56,6 +56,23 @@ CELLS = [
     mesh("a mesh of no points' array", changed(GOOD, array("Points", TETRAHEDRON, 3), ""), "cell.vtu"),
 ]
 
+def packed(match):
+    """An array in base64, compressed."""
+    numbers = base64.b64decode(match.group(2))
+    block = zlib.compress(numbers[4:])
+    head = struct.pack("<4I", 1, len(numbers) - 4, 0, len(block))
+    return match.group(1) + base64.b64encode(head).decode() + base64.b64encode(block).decode() + "<"
+
+
+def compressed(n_blocks=1, length=8 * 4 * 250_000):
+    """A mesh with a million zeros, which take some kilobytes, in blocks as the head of their array says."""
+    zeros = zlib.compress(bytes(8 * 4 * 250_000))
+    head = base64.b64encode(struct.pack("<4I", n_blocks, length, 0, len(zeros))).decode()
+    data = f'<DataArray type="Float64" Name="zeros" NumberOfComponents="250000" format="binary">{head}{base64.b64encode(zeros).decode()}</DataArray>'
+    others = re.sub(r'(format="binary">)([^<]*)<', packed, surface())
+    return changed(changed(others, "<PointData>", "<PointData>" + data), "header_type", 'compressor="vtkZLibDataCompressor" header_type')
+
+
 PROMISES = [
     mesh("a promise of 10^12 points", surface(n_points=10**12), "promises"),
     mesh("a promise of 10^30 points", surface(n_points=10**30), "NumberOfPoints"),
@@ -65,6 +82,8 @@ PROMISES = [
     mesh("a promise of -1 cells", surface(n_cells=-1), "NumberOfCells"),
     mesh("a promise of 10^12 numbers", surface(field_data=field("step", [1]).replace('NumberOfTuples="1"', 'NumberOfTuples="1000000000000"')), "promises"),
     mesh("a promise of 10^9 components", surface(point_data=array("a", [1, 2, 3, 4], 10**9)), "promises"),
+    mesh("a promise of 10^5 compressed blocks", compressed(n_blocks=10**5), "array 'zeros' begins with 100000 compressed blocks"),
+    mesh("a promise of a block of 10^9 bytes", compressed(length=10**9), "array 'zeros' begins with 1 compressed blocks"),
     mesh("a promise of no components", surface(point_data=array("a", [1, 2, 3, 4], 0)), "NumberOfComponents"),
 ]
 
@@ -139,14 +158,6 @@ PACKETS = [
 
 
 
-def packed(match):
-    """An array in base64, compressed."""
-    numbers = base64.b64decode(match.group(2))
-    block = zlib.compress(numbers[4:])
-    head = struct.pack("<4I", 1, len(numbers) - 4, 0, len(block))
-    return match.group(1) + base64.b64encode(head).decode() + base64.b64encode(block).decode() + "<"
-
-
 def in_two_pieces():
     """A grid whose two pieces share the nodes at their border."""
     pieces = "".join(
@@ -154,15 +165,6 @@ def in_two_pieces():
         for extent, n in (("0 5 0 11 0 11", 6), ("5 11 0 11 0 11", 7))
     )
     return vtk_file("ImageData", pieces, 'WholeExtent="0 11 0 11 0 11" Origin="0.5 0.5 0.5" Spacing="1 1 1"')
-
-
-def compressed():
-    """A mesh with a million zeros, which take a kilobyte."""
-    zeros = zlib.compress(bytes(8 * 4 * 250_000))
-    head = base64.b64encode(struct.pack("<4I", 1, 8 * 4 * 250_000, 0, len(zeros))).decode()
-    data = f'<DataArray type="Float64" Name="zeros" NumberOfComponents="250000" format="binary">{head}{base64.b64encode(zeros).decode()}</DataArray>'
-    others = re.sub(r'(format="binary">)([^<]*)<', packed, surface())
-    return changed(changed(others, "<PointData>", "<PointData>" + data), "header_type", 'compressor="vtkZLibDataCompressor" header_type')
 
 
 # What must go well: neighbours of rows, spoilt in nothing.
