@@ -12,7 +12,7 @@
 # | more than three times as long as with passive waiting
 # | variables set in main() count: no
 #
-# What we do: nothing yet.
+# What we do: README.md names OMP_WAIT_POLICY=passive for runs that share a machine.
 source "$(dirname "$0")/packages.bash"
 command -v g++ >/dev/null || cannot_check "there is no g++"
 need libgomp1=12.2.0-14+deb12u1

@@ -14,7 +14,7 @@
 # | list of files:   0 0 0 0 1 1 2 2
 # | XDMF:            0 0 0 0 1 1 2 2
 #
-# What we do: nothing yet.
+# What we do: driver/run/output_series.hpp: both series of a run have an entry at each time at which either has a file.
 source "$(dirname "$0")/packages.bash"
 need paraview=5.11.0+dfsg-1+b1 python3-paraview=5.11.0+dfsg-1+b1
 
