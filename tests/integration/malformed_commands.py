@@ -51,6 +51,34 @@ RUNS = [
     Row("--force over what is no run", "run case.toml --output . --force", ["--output .", "--force removes an earlier run only"]),
 ]
 
+NUMBERS = [
+    Row("a level in hexadecimal digits", "mesh sphere --level 0x3 x.vtu", ["--level 0x3", "decimal digits"]),
+    Row("a level of 20 digits", "mesh sphere --level 99999999999999999999 x.vtu", ["--level 99999999999999999999"]),
+    Row("a radius beyond all numbers", "mesh sphere --radius 1e400 x.vtu", ["--radius 1e400", "double precision"]),
+    Row("a radius in hexadecimal digits", "mesh sphere --radius 0x1p3 x.vtu", ["--radius 0x1p3", "is no number"]),
+    Row("an infinite radius", "mesh sphere --radius inf x.vtu", ["--radius inf", "is not finite"]),
+    Row("a centre that is not a number", "mesh sphere --centre 1 2 nan --radius 1 x.vtu", ["--centre nan", "is not finite"]),
+    Row("an end beyond all steps", RUN + " --shear-time 1e18", ["run.shear_time", "over the 9999999999 that a run can have"]),
+    Row("threads beyond 32 bits", RUN + " --threads 99999999999", ["--threads 99999999999", "<= 1024"]),
+    Row("a step as a real number", RUN + " --record r --from 1e3", ["--from 1e3", "decimal digits"]),
+    Row("steps beyond 64 bits", "fluid --case case.toml --steps 99999999999999999999 --out x.vti", ["--steps 99999999999999999999"]),
+    Row("a box of 32 bits", RUN + " --set flow.box=[2147483647,4,4]", ["flow.box", "<= 100000"]),
+    Row("an update every 10^11 steps", RUN + " --set membrane.viscous.interval=99999999999", ["interval", "<= 1000000"]),
+    Row("a time step of 10^-300", "study maxwell --dt 1e-300 --out x.csv", ["1e-300", "make it longer"]),
+    Row("a box of two", "study twisting-sphere --box 2 --out x.csv", ["--box 2", ">= 4"]),
+    Row("an axis of no length", "study twisting-sphere --axis 0 0 0 --out x.csv", ["the axis must not be zero"]),
+]
+
+WRONG_FILES = [
+    Row("an output below a file", "run case.toml --output case.toml/x", ["case.toml/x"]),
+    Row("a case for a surface", "membrane --case case.toml --in case.toml --out x.vtu", ["case.toml", "not a VTK XML file"]),
+    Row("a case for a mesh", "mesh info case.toml", ["case.toml", "not a VTK XML file"]),
+    Row("a surface for a case", "run a.vtu --output new", ["a.vtu:1: not valid TOML"], {"a.vtu": surface()}),
+    Row("a motion into a file", "membrane --case case.toml --motion twist --out case.toml", ["--out case.toml", "is no directory"]),
+    Row("a replay of a run", "replay out --only fluid", ["out: holds no begin"], run=True),
+    Row("a replay of a case", "replay case.toml --only fluid", ["case.toml: holds no echo.toml"]),
+]
+
 STAGES = [
     Row("a membrane of no case", "membrane --out x.vtu", ["--case"]),
     Row("a membrane to nowhere", "membrane --case case.toml", ["--out"]),
@@ -106,4 +134,4 @@ DIFFERENCES = [
     Row("a tolerance that is not a number", "diff case.toml case.toml --tolerance nan", ["--tolerance nan"]),
 ]
 
-ROWS = [*SUBCOMMANDS, *RUNS, *STAGES, *MESHES, *STUDIES, *DIFFERENCES]
+ROWS = [*SUBCOMMANDS, *RUNS, *NUMBERS, *WRONG_FILES, *STAGES, *MESHES, *STUDIES, *DIFFERENCES]
