@@ -48,18 +48,27 @@ def read(file):
     byte_order, elements = _head(file, text.decode("latin-1").splitlines())
     # A line ends with one character or two; the first number of a binary file may look like a second.
     body = body.split(b"\n", 1)[1] if b"\n" in body else b""
-    values, points, faces = _Values(file, body, byte_order), None, []
+    values = _Values(file, body, byte_order)
+    try:
+        points, faces = _elements(file, values, elements)
+    except ValueError:
+        raise InputError(f"{file}: something that is no number stands among its numbers, or a fraction among its nodes; it is damaged") from None
+    if values.place != len(values.data):
+        raise InputError(f"{file}: it has more numbers than its head says; it is damaged: write or copy it again")
+    return meshio.Mesh(points, blocks_of(faces))
+
+
+def _elements(file, values, elements):
+    """(points, faces) of all elements, one after the other."""
+    points, faces = None, []
     for name, count, properties in elements:
         if name == "vertex":
             points = _points(file, values, count, properties)
         elif any(isinstance(kind, tuple) for _, kind in properties):
-            rows = _rows(values, count, properties, CORNERS if name == "face" else ())
-            faces += rows
+            faces += _rows(values, count, properties, CORNERS if name == "face" else ())
         else:
             values.take([kind for _, kind in properties], count)
-    if values.place != len(values.data):
-        raise InputError(f"{file}: it has more numbers than its head says; it is damaged: write or copy it again")
-    return meshio.Mesh(points, blocks_of(faces))
+    return points, faces
 
 
 def _head(file, lines):

@@ -29,10 +29,13 @@ def _lines(file, continued=False):
 
 def _numbers(file, line, words, kind, least=0):
     """The words as numbers, at least so many."""
-    try:
-        numbers = [kind(word.replace("_", "?")) for word in words]  # to Python 1_0 is ten
-    except ValueError as error:
-        raise InputError(f"{file}, line {line}: {error}; the file is damaged, or of another format") from None
+    numbers = []
+    for word in words:
+        try:
+            numbers.append(kind(word.replace("_", "?")))  # to Python 1_0 is ten
+        except ValueError:
+            what = "whole number" if kind is int else "number"
+            raise InputError(f"{file}, line {line}: '{word}' is no {what}; the file is damaged, or of another format") from None
     if len(numbers) < least:
         raise InputError(f"{file}, line {line}: {len(numbers)} numbers where {least} must be; the file is damaged or cut off")
     return numbers

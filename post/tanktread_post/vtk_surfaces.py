@@ -3,32 +3,28 @@
 meshio 5.0.0 keeps only the last piece of a file of several, and refuses file version 2, LZ4, and .vtp.
 """
 
-import xml.parsers.expat
-
 import meshio
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCellTypes, vtkGenericCell
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 
+from . import vtk_head
 from .observables import InputError
 from .vtk_reading import apart, read_by
 
 READERS = {"UnstructuredGrid": vtkXMLUnstructuredGridReader, "PolyData": vtkXMLPolyDataReader}
-CELLS = ("NumberOfCells", "NumberOfVerts", "NumberOfLines", "NumberOfStrips", "NumberOfPolys")
-# VTK ends its process when there is no memory for the numbers that a head announces. No file holds so many points in a byte.
-MOST_IN_A_BYTE = 100
-TRIANGLE_STRIP, PIXEL = 6, 8
+VERTEX, POLY_VERTEX, LINE, POLY_LINE, TRIANGLE, TRIANGLE_STRIP, POLYGON, PIXEL, QUAD = range(1, 10)
 # VTK's numbers of cells as meshio calls them; others go by the name of VTK's class.
 KINDS = {
-    1: "vertex", 3: "line", 5: "triangle", 7: "polygon", 9: "quad", 10: "tetra", 12: "hexahedron", 13: "wedge", 14: "pyramid",
+    VERTEX: "vertex", LINE: "line", TRIANGLE: "triangle", POLYGON: "polygon", QUAD: "quad", 10: "tetra", 12: "hexahedron", 13: "wedge", 14: "pyramid",
     21: "line3", 22: "triangle6", 23: "quad8", 24: "tetra10", 28: "quad9", 34: "triangle7", 42: "polyhedron",
 }  # fmt: skip
 
 
 def read(file):
     """A meshio.Mesh with all arrays of a .vtu or .vtp."""
-    kind, n_points, n_cells = _head(file)
+    kind, n_points, n_cells = vtk_head.read(file)
     return apart(lambda: _read(file, kind, n_points, n_cells), file)
 
 
@@ -41,44 +37,6 @@ def _read(file, kind, n_points, n_cells):
     points = vtk_to_numpy(data.GetPoints().GetData()) if n_points else numpy.empty((0, 3))
     cell_data = {name: [values[place] for place in places] for name, values in _arrays(data.GetCellData()).items()}
     return meshio.Mesh(points, blocks, point_data=_arrays(data.GetPointData()), cell_data=cell_data, field_data=_arrays(data.GetFieldData()))
-
-
-class _HeadIsRead(Exception):
-    """The rest of a file is numbers, which need not be XML."""
-
-
-def _head(file):
-    """(kind of data, points, cells) as the head says: over all pieces."""
-    kind, pieces = [], []
-
-    def starts(name, attributes):
-        if name == "VTKFile":
-            kind.append(attributes.get("type"))
-        elif name == "Piece":
-            pieces.append((int(attributes["NumberOfPoints"]), sum(int(attributes.get(key, 0)) for key in CELLS)))
-        elif name == "AppendedData":
-            raise _HeadIsRead
-
-    parser = xml.parsers.expat.ParserCreate()
-    parser.StartElementHandler = starts
-    try:
-        with open(file, "rb") as stream:
-            parser.ParseFile(stream)
-    except _HeadIsRead:
-        pass
-    except xml.parsers.expat.ExpatError as error:
-        raise InputError(f"{file}: it is not VTK's XML ({error}); it is damaged, cut off, or of another format") from None
-    except (KeyError, ValueError):
-        raise InputError(f"{file}: a piece does not say how many points and cells it has; it is damaged") from None
-    wanted = "PolyData" if file.suffix.lower() == ".vtp" else "UnstructuredGrid"
-    if kind != [wanted]:
-        said = " ".join(map(str, kind)) or "nothing"
-        other = "; its name must end with .vtp" if kind == ["PolyData"] else "; its name must end with .vtu" if kind == ["UnstructuredGrid"] else ""
-        raise InputError(f"{file}: it holds {said}, where its name says {wanted}{other}")
-    n_points, n_cells = (sum(piece[k] for piece in pieces) for k in (0, 1))
-    if min((min(piece) for piece in pieces), default=0) < 0 or max(n_points, n_cells) > MOST_IN_A_BYTE * file.stat().st_size:
-        raise InputError(f"{file}: its head says {n_points} points and {n_cells} cells, which a file of {file.stat().st_size} bytes cannot hold; it is damaged")
-    return wanted, n_points, n_cells
 
 
 def _arrays(data):
@@ -112,7 +70,7 @@ def _blocks(grid):
     ends = numpy.flatnonzero((numpy.diff(kinds) != 0) | (numpy.diff(lengths) != 0)) + 1
     blocks, places = [], []
     for first, last in zip([0, *ends], [*ends, len(kinds)]):
-        kind, data = kinds[first], nodes[offsets[first] : offsets[last]].reshape(last - first, -1)
+        kind, data = kinds[first], nodes[offsets[first] : offsets[last]].reshape(last - first, lengths[first])
         name, data, owners = _as_faces(kind, data)
         blocks.append((name, data))
         places.append(numpy.arange(first, last)[owners])
@@ -133,14 +91,19 @@ def _as_faces(kind, data):
 
 def _blocks_of_surface(surface):
     """The same of poly data: points, lines, faces and strips, in VTK's order of cells."""
+    kinds = (  # each as VTK's numbers, by the number of corners
+        (surface.GetVerts(), lambda n: VERTEX if n == 1 else POLY_VERTEX),
+        (surface.GetLines(), lambda n: LINE if n == 2 else POLY_LINE),
+        (surface.GetPolys(), lambda n: {3: TRIANGLE, 4: QUAD}.get(n, POLYGON)),
+        (surface.GetStrips(), lambda n: TRIANGLE_STRIP),
+    )
     blocks, places, first = [], [], 0
-    for cells, kinds in ((surface.GetVerts(), {1: 1}), (surface.GetLines(), {2: 3}), (surface.GetPolys(), {3: 5, 4: 9}), (surface.GetStrips(), {})):
-        other = {1: 2, 2: 4}.get(min(kinds, default=0), 7 if kinds else TRIANGLE_STRIP)
+    for cells, kind in kinds:
         nodes, offsets = _cells(cells)
         lengths = numpy.diff(offsets)
         ends = numpy.flatnonzero(numpy.diff(lengths)) + 1
         for a, b in zip([0, *ends], [*ends, len(lengths)]) if len(lengths) else ():
-            name, data, owners = _as_faces(kinds.get(lengths[a], other), nodes[offsets[a] : offsets[b]].reshape(b - a, -1))
+            name, data, owners = _as_faces(kind(lengths[a]), nodes[offsets[a] : offsets[b]].reshape(b - a, lengths[a]))
             blocks.append((name, data))
             places.append(first + numpy.arange(a, b)[owners])
         first += len(lengths)

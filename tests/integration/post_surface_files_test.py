@@ -12,11 +12,11 @@ from post_fixture import InFolder, octahedron
 from surface_shapes import CUBE_OF_QUADS
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import VTK_TRIANGLE, vtkCellArray, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import VTK_PIXEL, VTK_TRIANGLE, vtkCellArray, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkStripper
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
 
-from tanktread_post import convert_surface, surface_files, vtk_reading, vtk_surfaces
+from tanktread_post import convert_surface, surface_files, vtk_head, vtk_reading
 from tanktread_post.observables import InputError
 from tanktread_post.surface import Surface
 from tanktread_post.surface_repair import repaired
@@ -173,7 +173,7 @@ class Vtk(Files):
 
     def test_vtk_is_held_against_the_head(self):
         file = self.grid((POINTS, TRIANGLES))
-        with unittest.mock.patch.object(vtk_surfaces, "_head", return_value=("UnstructuredGrid", 6, 12)):
+        with unittest.mock.patch.object(vtk_head, "read", return_value=("UnstructuredGrid", 6, 12)):
             self.refused(file, "its head says 6 points and 12 cells, VTK reads 6 and 8")
 
     def test_strips_of_triangles(self):
@@ -186,6 +186,17 @@ class Vtk(Files):
         self.assertNotIn("turned", " ".join(said))
         surface = surface_files.read_surface(self.folder / "out.vtu")[0]
         self.assertEqual((len(surface.triangles), surface.volume()), (8, 64 / 6))  # 4/3 r^3; whole numbers all the way
+
+    def test_pixels_are_quadrilaterals(self):
+        points, quads = CUBE_OF_QUADS
+        positions, cells, data = vtkPoints(), vtkCellArray(), vtkUnstructuredGrid()
+        positions.SetData(numpy_to_vtk(points, deep=True))
+        cells.SetData(numpy_to_vtkIdTypeArray(numpy.arange(0, 25, 4), deep=True), numpy_to_vtkIdTypeArray(quads[:, [0, 1, 3, 2]].ravel(), deep=True))
+        data.SetPoints(positions)
+        data.SetCells(VTK_PIXEL, cells)
+        said = convert_surface.convert(self.written(vtkXMLUnstructuredGridWriter(), data, "in.vtu"), None)
+        self.assertIn("a membrane can be made of it: 8 nodes, 12 triangles, volume 1", said)
+        self.assertNotIn("turned", " ".join(said))
 
     def test_lines_and_points_are_left_out(self):
         data, lines, verts = self.data(), vtkCellArray(), vtkCellArray()
@@ -204,6 +215,8 @@ class Vtk(Files):
         self.refused(self.put("in.vtu", text.replace('Points="6"', 'Points="100000"')), "100000 points and 8 cells, which a file of")
         self.refused(self.put("in.vtu", text.replace(' NumberOfPoints="6"', "")), "does not say how many")
         self.refused(self.put("in.vtu", text.replace("1.0 4.0 5.0", "1.0 x 5.0")), "it cannot be read: Cannot read points array from Points in piece 0")
+        self.refused(self.put("in.vtu", text.replace('Points="6"', 'Points="5"')), "piece 0 has 18 numbers in 'Points' of its Points, 15 by its head")
+        self.refused(self.put("in.vtu", text.replace('Cells="8"', 'Cells="7"')), "piece 0 has 8 numbers in 'offsets' of its Cells, 7 by its head")
         self.refused(self.put("in.vtu", text.replace("</VTKFile>", "")), "it is not VTK's XML")
         with self.assertRaises(InputError) as caught:
             surface_files.read_mesh(self.put("in.vtu", text.replace('Name="offsets"', 'Name="others"')))
@@ -252,8 +265,9 @@ class Obj(Files):
         self.refused(self.put("in.obj", self.text("{a}", "f 0 1 2")), "line 35: a face names node 0; nodes count from 1")
         self.refused(self.put("in.obj", self.text("{a}", "f 1 2 -7")), "a face names node -7", "-6, the first so far")
         self.refused(self.put("in.obj", self.text("{a}", "f 1 2 7")), "face 8 names node 6, of 0 to 5")
-        self.refused(self.put("in.obj", self.text("{a}", "f 1 2 x")), "line 35: invalid literal", "damaged")
-        self.refused(self.put("in.obj", self.text("{a}", "f 1 2 0_3")), "line 35: invalid literal", "damaged")
+        self.refused(self.put("in.obj", self.text("{a}", "f 1 2 x")), "line 35: 'x' is no whole number; the file is damaged")
+        self.refused(self.put("in.obj", self.text("{a}", "f 1 2 0_3")), "line 35: '0_3' is no whole number")
+        self.refused(self.put("in.obj", self.text("{a}", "v 1 2 1_0")), "line 35: '1_0' is no number")
 
 
 class Stl(Files):
@@ -344,8 +358,8 @@ class Ply(Files):
         self.refused(self.put("in.ply", data.replace(b"property double z", b"property quad z")), "'property quad z' is no line of the head")
         self.refused(self.put("in.ply", data.replace(b"face 8", b"face 1000000000000")), "fewer numbers than its head says")
         self.refused(self.put("in.ply", data.replace(b"face 8", b"face -8")), "its head is not that")
-        self.refused(self.put("in.ply", data.replace(b"5.0 4.0 5.0", b"5_0 4.0 5.0")), "cannot be read", "5?0")
-        self.refused(self.put("in.ply", data.replace(b"\n3 0 2 4", b"\n3 0 2 4.5")), "cannot be read")
+        self.refused(self.put("in.ply", data.replace(b"5.0 4.0 5.0", b"5_0 4.0 5.0")), "something that is no number")
+        self.refused(self.put("in.ply", data.replace(b"\n3 0 2 4", b"\n3 0 2 4.5")), "a fraction among its nodes")
 
 
 class Off(Files):
@@ -373,7 +387,7 @@ class Off(Files):
         self.refused(self.put("in.off", text.replace("OFF", "4OFF")), "its first word is '4OFF'")
         self.refused(self.put("in.off", text.replace("OFF", "OFF BINARY")), "must be OFF, COFF, NOFF or STOFF, in text")
         self.refused(self.put("in.off", text.replace("3 0 2 4\n", "3 0 2\n")), "line 9: 2 numbers where 3 must be")
-        self.refused(self.put("in.off", text.replace("6 8 12", "six 8 12")), "line 2: invalid literal")
+        self.refused(self.put("in.off", text.replace("6 8 12", "six 8 12")), "line 2: 'six' is no whole number")
 
 
 class Gmsh(Files):
