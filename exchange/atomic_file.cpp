@@ -76,4 +76,17 @@ void write_text(const fs::path& file, const std::string& text) {
   atomic.commit();
 }
 
+void append_text(const fs::path& file, const std::string& text) {
+  const Descriptor open(file, O_WRONLY | O_APPEND);
+  if (!open.is_open()) fail(file, "cannot be written", errno);
+  const auto size = ::lseek(open.number(), 0, SEEK_END);
+  try {
+    write_all(open, text, file);
+  } catch (const FileError&) {
+    if (::ftruncate(open.number(), size) != 0)
+      fail(file, "its end is lost, and could not be put back", errno);
+    throw;
+  }
+}
+
 }  // namespace tanktread::exchange

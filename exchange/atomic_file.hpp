@@ -1,7 +1,8 @@
-// A file that appears whole or not at all.
+// A file that appears whole or not at all, and text that is added so.
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace tanktread::exchange {
 
@@ -26,5 +27,9 @@ class AtomicFile {
   std::filesystem::path target_, temporary_;
   bool committed_ = false;
 };
+
+/// Adds text to the end of a file that is there, in one write. If the disk is full the file stays as it was.
+/// @throws FileError
+void append_text(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace tanktread::exchange

@@ -17,6 +17,10 @@ void write_checkpoint(const System& system, const std::filesystem::path& directo
   const auto temporary = place / fmt::format(".step_{:010}.tmp", system.step);
   write_state(temporary, system);
   std::filesystem::rename(temporary, folder);
+  remove_old_checkpoints(directory);
+}
+
+void remove_old_checkpoints(const std::filesystem::path& directory) {
   auto folders = checkpoint_folders(directory);
   while (folders.size() > 2) {
     std::filesystem::remove_all(folders.front());

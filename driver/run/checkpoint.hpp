@@ -14,6 +14,10 @@ namespace tanktread::driver {
 /// @throws exchange::FileError
 void write_checkpoint(const System& system, const std::filesystem::path& directory);
 
+/// Removes all checkpoints of DIR but the last two: more are there if a process was killed before it had
+/// removed the oldest, which may be there in part.
+void remove_old_checkpoints(const std::filesystem::path& directory);
+
 /// The folders of all checkpoints in DIR, oldest first.
 std::vector<std::filesystem::path> checkpoint_folders(const std::filesystem::path& directory);
 

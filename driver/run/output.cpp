@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <iterator>
 
 #include "driver/packets/fluid_files.hpp"
 #include "driver/system/membrane_files.hpp"
+#include "exchange/atomic_file.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
@@ -60,12 +58,9 @@ std::vector<Observation> Output::write(const System& system, bool last) {
   // The table last: a row of the end of the run says that all is there.
   if (!observables_.due(system.step) && !(last && observables_.interval > 0)) return {};
   const auto observations = observe(system, case_);
-  std::ofstream table(directory_ / "observables.csv", std::ios::app);
-  for (const auto& observation : observations) table << observables_row(observation);
-  if (!table.flush()) {
-    throw exchange::FileError(fmt::format("{}: cannot be written: {}",
-                                          (directory_ / "observables.csv").string(), std::strerror(errno)));
-  }
+  std::string rows;
+  for (const auto& observation : observations) rows += observables_row(observation);
+  exchange::append_text(directory_ / "observables.csv", rows);
   return observations;
 }
 

@@ -191,6 +191,8 @@ int run_resumed(const std::filesystem::path& directory, std::optional<double> sh
       throw InputError(
           "--record: the run is at its end, so there is no step to record; extend it with --shear-time");
     }
+    remove_temporary_files(directory);
+    remove_old_checkpoints(directory);
     fmt::print("the run is at its end; --shear-time extends it\n");
     return 0;
   }

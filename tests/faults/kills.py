@@ -188,7 +188,7 @@ def _moment(random, n_steps, seconds, starting):
     if kind < 0.75:
         return moments.BeforeOldestGoes(random.choice([random.randrange(n_steps // 2), n_steps]))
     what = random.choice(["fluid of a checkpoint", "membrane of a checkpoint", "membrane file", "fluid file", "series", "echo", "table"])
-    many = {"echo": 1, "table": 1, "series": 3}.get(what, n_steps // (4 * two_capsules.Every.checkpoint))
+    many = {"echo": 1, "table": 1, "series": 2}.get(what, n_steps // (4 * two_capsules.Every.checkpoint))
     return moments.InWrite(what, random.randint(1, many))
 
 

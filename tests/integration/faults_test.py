@@ -41,6 +41,17 @@ class Kills(InFolder):
                 return
         self.fail(f"only {n_struck} kills struck")
 
+    def test_a_run_killed_at_its_very_end_is_rid_of_what_it_had_no_time_to_remove(self):
+        whole = self.campaign.whole(two_capsules.PLAIN)
+        output = self.campaign.whole_folder(two_capsules.PLAIN)
+        oldest = output / "checkpoints/step_0000000048"  # half removed
+        oldest.mkdir()
+        (oldest / "fluid.vti").write_bytes(whole["checkpoints/step_0000000054/fluid.vti"])
+        ended = self.campaign.program.do(self.campaign.program.resume(two_capsules.PLAIN, output))
+        self.assertEqual((ended.code, ended.error), (0, ""))
+        self.assertIn("the run is at its end", ended.output)
+        self.assertEqual(run_folder.differences(whole, run_folder.contents(output)), [])
+
 
 class WhatIsFound(InFolder):
     """The comparison sees what a broken run would leave."""

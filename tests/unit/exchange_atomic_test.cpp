@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "exchange/atomic_file.hpp"
 #include "tests/unit/exchange_full_disk.hpp"
 #include "tests/unit/exchange_samples.hpp"
 
@@ -130,6 +131,22 @@ TEST(Writing, GivesTheRightsThatTheUserAsksFor) {
     EXPECT_EQ(static_cast<unsigned>(std::filesystem::status(folder / kind.name).permissions()), 0640U)
         << kind.name;
   }
+}
+
+TEST(AddedText, IsThereWholeOrNotAtAll) {
+  const TemporaryFolder folder;
+  const auto file = folder / "table.csv";
+  EXPECT_THAT(error_of([&] { append_text(file, "row\n"); }), HasSubstr("No such file"));
+  write_text(file, "header\n");
+  append_text(file, "0,1\n1,2\n");
+  EXPECT_EQ(read_text(file), "header\n0,1\n1,2\n");
+  {
+    const FullDisk disk(18);  // room for half of the next row
+    EXPECT_THAT(error_of([&] { append_text(file, "2,3\n"); }), HasSubstr("table.csv: cannot be written"));
+  }
+  EXPECT_EQ(read_text(file), "header\n0,1\n1,2\n");
+  append_text(file, "2,3\n");
+  EXPECT_EQ(read_text(file), "header\n0,1\n1,2\n2,3\n");
 }
 
 }  // namespace
