@@ -50,11 +50,9 @@ void Output::resume(std::int64_t step) {
 std::vector<Observation> Output::write(const System& system, bool last) {
   const bool has_membrane = membrane_.due(system.step, last), has_fluid = fluid_.due(system.step, last);
   if (has_membrane) write_membrane(system);
+  if (has_membrane || has_fluid) membrane_.show(system.shear_time());
   if (has_fluid) write_fluid(system);
-  if (has_membrane || has_fluid) {
-    membrane_.show(system.shear_time());
-    fluid_.show(system.shear_time());
-  }
+  if (has_membrane || has_fluid) fluid_.show(system.shear_time());
   // The table last: a row of the end of the run says that all is there.
   if (!observables_.due(system.step) && !(last && observables_.interval > 0)) return {};
   const auto observations = observe(system, case_);
