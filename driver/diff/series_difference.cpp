@@ -46,7 +46,9 @@ void compare_series(const Entries& a, const Entries& b, DifferenceReport& report
   add_lonely(those(b, names_a, false), "the second", report);
   const auto common_a = those(a, names_b, true), common_b = those(b, names_a, true);
   if (!same_files(common_a, common_b)) {
-    return report.add("the files that both name stand in another order, or one of them more than once");
+    return report.add(
+        "the files that both name stand in another order, or one of them at more times in one than in the "
+        "other");
   }
   std::vector<double> times_a, times_b;
   for (const auto& entry : common_a) times_a.push_back(entry.time);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 
 #include "driver/packets/packet_files.hpp"
 #include "driver/program/output_directory.hpp"
@@ -60,7 +61,24 @@ Motion twist(const MotionStage& stage, const Parameters& numbers,
   return motion;
 }
 
-/// The surfaces of a .pvd, each at its time, counted from that of the first.
+/// The shear time that a file says of itself; none in files of other programs.
+std::optional<double> own_time(const exchange::SurfacePacket& surface) {
+  const auto* array = exchange::find_optional_array(surface.field_data, "shear_time");
+  if (array == nullptr || array->values.size() != 1) return std::nullopt;
+  return array->values.front();
+}
+
+/// @throws InputError if a series names a file at another time than its own: which of the two is meant?
+void require_own_time(const std::optional<double>& own, const exchange::SeriesEntry& entry,
+                      const std::filesystem::path& series) {
+  if (!own || *own == entry.time) return;
+  throw InputError(
+      fmt::format("{}: names {} at shear time {}, but the file is of shear time {}; name it at its own time",
+                  series.string(), entry.file, entry.time, *own));
+}
+
+/// The surfaces of a .pvd, each at its time, counted from that of the first. Where a run names its last file
+/// again, because its other series has a file then, there is no new surface.
 Motion series(const MotionStage& stage, const Parameters& numbers,
               const std::vector<CapsuleMembrane>& membranes) {
   const auto entries = exchange::read_series(stage.series);
@@ -68,9 +86,16 @@ Motion series(const MotionStage& stage, const Parameters& numbers,
     throw InputError(stage.series.string() + ": holds no file; a motion needs at least one");
   std::vector<NodeVectors> frames;
   Motion motion;
+  std::string last_file;
+  std::optional<double> own;
   for (const auto& entry : entries) {
+    if (own && entry.file == last_file) continue;
+    last_file = entry.file;
     const auto file = stage.series.parent_path() / entry.file;
-    auto surfaces = surfaces_of(exchange::read_surface(file), file.string());
+    const auto surface = exchange::read_surface(file);
+    own = own_time(surface);
+    require_own_time(own, entry, stage.series);
+    auto surfaces = surfaces_of(surface, file.string());
     check_surfaces(surfaces, membranes, file.string());
     const auto step = steps_of(entry.time - entries.front().time, numbers,
                                fmt::format("{}: the time of {}", stage.series.string(), entry.file));

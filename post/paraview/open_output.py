@@ -107,16 +107,21 @@ def build(options, series, in_window):
     scene.look(view, boxes, *camera.view_axes(normal, axes), len(places), options.zoom)
     simple.SetActiveSource(membrane or fluid)
     if places:
-        say_lag(fields.flow_lag(shown, fluid_times))
+        say_lag(*fields.flow_lag(shown, fields.open_entries(options.output, "fluid")))
     return view, shown
 
 
-def say_lag(lag):
-    """Says that the flow drawn is older than the membrane, where one would see it."""
-    if lag > 0.01:
+def say_lag(older, younger):
+    """Says that the flow drawn is of another time than the membrane, where one would see it."""
+    if older > 0.01:
         print(
-            f"note: the flow drawn is up to {lag:.2g} shear times older than the membrane: ParaView shows the last fluid file before "
-            "each moment; with output.fluid_every = output.membrane_every both are of the same step"
+            f"note: the flow drawn is up to {older:.2g} shear times older than the membrane: it is the last one that was written before; "
+            "with output.fluid_every = output.membrane_every both are of the same step"
+        )
+    if younger > 0.01:
+        print(
+            f"note: the flow drawn is up to {younger:.2g} shear times younger than the membrane: fluid.pvd has no entry at its times, as "
+            "older runs wrote it, and ParaView shows the next one; choose a --shear-time at which both have files (--list)"
         )
 
 

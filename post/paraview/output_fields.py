@@ -7,7 +7,7 @@ import shlex
 from collections import namedtuple
 
 from tanktread_post.observables import InputError
-from tanktread_post.series import read_series
+from tanktread_post.series import read_files, read_series
 
 AXES = "xyz"
 MAGNITUDE = -1
@@ -87,15 +87,22 @@ def labels(limits, n=5):
 
 
 def open_times(folder, name):
-    """Shear times of a series NAME.pvd; [] if the run wrote none. Throws InputError if a file is missing."""
+    """Shear times of the files of a series NAME.pvd; [] if the run wrote none. Throws InputError if a file is missing."""
     file = os.path.join(folder, name + ".pvd")
     if not os.path.isfile(file):
         raise InputError(f"{file}: there is no such file; is {folder} the output of a run?")
-    entries = read_series(file)
-    for _, written in entries:
+    files = read_files(file)
+    for _, written in files:
         if not written.is_file():
             raise InputError(f"{written}: {name}.pvd names this file, and it is not there")
-    return [time for time, _ in entries]
+    return [time for time, _ in files]
+
+
+def open_entries(folder, name):
+    """[(shear time, own shear time of the file named then) ...] of a series NAME.pvd, which may name a file again."""
+    file = os.path.join(folder, name + ".pvd")
+    own = {written: time for time, written in read_files(file)}
+    return [(time, own[written]) for time, written in read_series(file)]
 
 
 def nearest(times, shear_time):
@@ -103,9 +110,15 @@ def nearest(times, shear_time):
     return times[-1] if shear_time is None else min(times, key=lambda time: abs(time - shear_time))
 
 
-def flow_lag(times, flow_times):
-    """By how much the flow drawn is older than the membrane, at most: ParaView shows the last file before a moment."""
-    return max(time - max([t for t in flow_times if t <= time] or [flow_times[0]]) for time in times)
+def time_shown(entries, time):
+    """The own time of the file that ParaView 5.11 shows at a moment, of entries as open_entries: between two it takes the later one."""
+    return next((own for entry, own in entries if entry >= time), entries[-1][1])
+
+
+def flow_lag(times, entries):
+    """By how much the flow drawn is (older, younger) than the membrane, at most."""
+    older = [time - time_shown(entries, time) for time in times]
+    return max(0.0, *older), max(0.0, *(-lag for lag in older))
 
 
 def axes_of_run(folder):

@@ -39,7 +39,7 @@ def _entries(output):
     file = pathlib.Path(output) / "membrane.pvd"
     if not file.is_file():
         raise InputError(f"{file}: there is no such file; is {output} the output of a run?")
-    entries = series.read_series(file)
+    entries = series.read_files(file)  # a file that is named again is the same membrane
     if not entries:
         raise InputError(f"{file}: it lists no files; the run has not written a membrane yet")
     return entries

@@ -86,7 +86,7 @@ def _write_picture(renderer, file):
 def render(output, field="area_ratio", shear_time=None, file=None):
     """Writes capsule.png into the output directory (or `file`). Returns the file.
 
-    The flow is left out if the run wrote none. `shear_time`: the nearest membrane file is drawn, the last by default.
+    `shear_time`: the nearest membrane file is drawn, the last by default, in the last flow up to its time; in none if the run wrote none.
     """
     output = pathlib.Path(output)
     file = pathlib.Path(file) if file else output / "capsule.png"
@@ -106,7 +106,7 @@ def render(output, field="area_ratio", shear_time=None, file=None):
     renderer.AddActor2D(scene.legend(table, field.replace("_", " "), left=False))
     bounds = surface.GetBounds()
 
-    flow_entry = series.at(output / "fluid.pvd", entry[0])
+    flow_entry = series.shown_at(output / "fluid.pvd", entry[0])
     if flow_entry is not None:
         grid = _read(vtkXMLImageDataReader(), flow_entry[1])
         vorticity_axis = 3 - sum(axes)

@@ -79,6 +79,18 @@ TEST_F(Diff, SeesTheOrderOfASeries) {
   EXPECT_THAT(ended.output, HasSubstr("stand in another order"));
 }
 
+TEST_F(Diff, LooksOnceAtAFileThatASeriesNamesAgain) {
+  put_output("a");
+  put_output("b");
+  for (const char* name : {"a", "b"})
+    write_series(directory_ / name / "membrane.pvd", {{0.5, "membrane/m_0.vtu"}, {1, "membrane/m_0.vtu"}});
+  EXPECT_EQ(diff("a/membrane.pvd", "b/membrane.pvd").output, "identical: 2 files, 6 arrays\n");
+  write_series(directory_ / "b/membrane.pvd", {{0.5, "membrane/m_0.vtu"}});
+  const auto ended = diff("a/membrane.pvd", "b/membrane.pvd");
+  EXPECT_EQ(ended.exit_code, 1);
+  EXPECT_THAT(ended.output, HasSubstr("one of them at more times in one than in the other"));
+}
+
 TEST_F(Diff, RefusesWhatCannotBeCompared) {
   write_surface(directory_ / "a.vtu", tetrahedron());
   write_grid(directory_ / "a.vti", small_grid());

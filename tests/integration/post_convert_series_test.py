@@ -128,6 +128,14 @@ class Series(InFolder):
         speed = read_columns(self.folder / "tables/points_0.csv")["speed"]
         self.assertEqual(bits(speed), bits(surfaces[0][1].point_data["speed"]))
 
+    def test_a_membrane_that_is_named_again_is_converted_once(self):
+        self.write()
+        write_series(self.folder / "membrane.pvd", [(0.0, "membrane_0.vtu"), (0.1, "membrane_0.vtu"), (1 / 3, "membrane_1.vtu"), (0.5, "membrane_1.vtu")])
+        convert_series.convert(self.folder, self.folder / "run.xdmf", self.folder / "tables")
+        self.assert_same(self.folder / "run.xdmf", [(k / 3, meshio.read(self.folder / f"membrane_{k}.vtu")) for k in (0, 1)])
+        with open(self.folder / "tables/times.csv", newline="") as stream:
+            self.assertEqual([float(row["shear_time"]) for row in csv.DictReader(stream)], [0.0, 1 / 3])
+
     def test_says_what_paraview_does_not_read(self):
         self.write()
         for most, said in ((18, []), (17, ["an array has 18 numbers"])):

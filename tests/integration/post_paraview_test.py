@@ -5,6 +5,7 @@ import io
 import itertools
 import math
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -131,7 +132,9 @@ class Fields(InFolder):
     def test_times_of_a_series(self):
         write_pictures(self.folder)
         write_series(self.folder / "membrane.pvd", [(0.5, "membrane/membrane_1.vtu"), (3.0, "membrane/membrane_1.vtu")])
-        self.assertEqual(fields.open_times(str(self.folder), "membrane"), [0.5, 3.0])
+        # A file that is named again is no other file.
+        self.assertEqual(fields.open_times(str(self.folder), "membrane"), [0.5])
+        self.assertEqual(fields.open_entries(str(self.folder), "membrane"), [(0.5, 0.5), (3.0, 0.5)])
         write_series(self.folder / "fluid.pvd", [])
         self.assertEqual(fields.open_times(str(self.folder), "fluid"), [])
         write_series(self.folder / "fluid.pvd", [(0.5, "fluid/gone.vti")])
@@ -140,9 +143,13 @@ class Fields(InFolder):
 
     def test_moments(self):
         self.assertEqual([fields.nearest([0.0, 0.5, 1.0], t) for t in (None, 0.7, 9.0, -1.0)], [1.0, 0.5, 1.0, 0.0])
-        self.assertEqual(fields.flow_lag([0.0, 1.0], [0.0, 1.0, 2.0]), 0.0)
-        # At 1.75 the flow of 1.0 is drawn.
-        self.assertEqual(fields.flow_lag([0.25, 1.75], [0.0, 1.0, 2.0]), 0.75)
+        whole = [(0.0, 0.0), (1.0, 1.0), (2.0, 2.0)]
+        self.assertEqual(fields.flow_lag([0.0, 1.0], whole), (0.0, 0.0))
+        # Between two entries ParaView 5.11 shows the later one (seen below), and after the last that one.
+        self.assertEqual([fields.time_shown(whole, t) for t in (0.25, 1.0, 1.75, 9.0)], [1.0, 1.0, 2.0, 2.0])
+        self.assertEqual(fields.flow_lag([0.25, 1.75], whole), (0.0, 0.75))
+        # As a run writes it: the last file is named again.
+        self.assertEqual(fields.flow_lag([0.25, 1.75], [(0.0, 0.0), (0.25, 0.0), (1.0, 1.0), (1.75, 1.0), (2.0, 2.0)]), (0.75, 0.0))
 
     def test_axes_of_the_run(self):
         self.assertEqual(fields.axes_of_run(str(self.folder)), (0, 1, 2))
@@ -268,6 +275,42 @@ class InParaView(InFolder):
         # In the middle the membrane, in a colour; above it the flow to the right is red, below it that to the left is blue.
         self.assertGreater(numpy.ptp(picture[225, 300]), 0.1)
         above, below = (picture[rows, 200:350].mean(axis=(0, 1)) for rows in (slice(60, 80), slice(370, 390)))
+        self.assertGreater(above[0], above[2] + 0.05)
+        self.assertGreater(below[2], below[0] + 0.05)
+
+    def write_turned_flow(self):
+        """fluid_0.vti: the flow of fluid_1.vti, the other way round."""
+        text = (self.output / "fluid/fluid_1.vti").read_text()
+        head, numbers, end = re.split('(?<="ascii">)|(?=</DataArray>)', text)
+        (self.output / "fluid/fluid_0.vti").write_text(head + " ".join(repr(-float(word)) for word in numbers.split()) + end)
+
+    def colours_above_and_below(self, time, *words):
+        """What the script says, and the mean colours of the slice above and below the membrane at a time."""
+        said = self.run_script(self.folder / "a.png", "--size", 600, 450, "--shear-time", time, *words)
+        picture = matplotlib.image.imread(self.folder / "a.png")[..., :3]
+        return said, *(picture[rows, 200:350].mean(axis=(0, 1)) for rows in (slice(60, 80), slice(370, 390)))
+
+    def test_the_flow_of_a_run_is_never_one_that_is_yet_to_come(self):
+        self.write_turned_flow()
+        times = [(1.0, 0), (2.0, 0), (3.0, 1)]
+        write_series(self.output / "fluid.pvd", [(time, f"fluid/fluid_{k}.vti") for time, k in times])
+        names = ["membrane_0", "membrane_2", "membrane_1"]
+        shutil.copy(self.output / "membrane/membrane_0.vtu", self.output / "membrane/membrane_2.vtu")
+        write_series(self.output / "membrane.pvd", [(k + 1.0, f"membrane/{name}.vtu") for k, name in enumerate(names)])
+        said, above, below = self.colours_above_and_below(2)
+        self.assertIn("up to 1 shear times older than the membrane", said)
+        # The flow of time 1, turned: to the left above, to the right below.
+        self.assertGreater(above[2], above[0] + 0.05)
+        self.assertGreater(below[0], below[2] + 0.05)
+
+    def test_between_two_entries_paraview_shows_the_later_one(self):
+        # What the scripts and post/README.md say of a series that does not name its last file again.
+        self.write_turned_flow()
+        shutil.copy(self.output / "membrane/membrane_0.vtu", self.output / "membrane/membrane_2.vtu")
+        write_series(self.output / "membrane.pvd", [(1.0, "membrane/membrane_0.vtu"), (2.0, "membrane/membrane_2.vtu")])
+        write_series(self.output / "fluid.pvd", [(1.0, "fluid/fluid_0.vti"), (3.0, "fluid/fluid_1.vti")])
+        said, above, below = self.colours_above_and_below(2)
+        self.assertIn("up to 1 shear times younger than the membrane", said)
         self.assertGreater(above[0], above[2] + 0.05)
         self.assertGreater(below[2], below[0] + 0.05)
 

@@ -78,6 +78,11 @@ class Plots(InFolder):
             write_series(output / run / "membrane.pvd", [(time, f"membrane_{time}.vtu") for time in of_run])
         reached = [(entry["label"], run.name, time) for entry, run, time in case_results.reached_snapshots(output, case)]
         self.assertEqual(reached, [("of a", "a", 4.0)])
+        # A membrane that is named again where a fluid file is has its own time, and the run is no further.
+        write_series(output / "b/membrane.pvd", [(2.0, "membrane_2.vtu"), (4.0, "membrane_4.vtu"), (4.17, "membrane_4.vtu"), (4.3, "membrane_4.vtu")])
+        write_series(output / "a/membrane.pvd", [(4.0, "membrane_4.vtu"), (4.16, "membrane_4.vtu"), (4.5, "membrane_5.vtu")])
+        reached = [(entry["label"], run.name, time) for entry, run, time in case_results.reached_snapshots(output, case)]
+        self.assertEqual(reached, [("of a", "a", 4.0)])
 
         from tanktread_post import snapshots
 
@@ -119,6 +124,17 @@ class Picture(InFolder):
         picture = self.render(fluid=False, field="stress", file=self.folder / "stress.png")
         self.assertGreater(numpy.ptp(picture[450, 600]), 0.1)
         self.assertEqual(picture[5, 5].tolist(), [1.0, 1.0, 1.0])
+
+    def test_the_flow_is_the_last_one_of_that_time(self):
+        output = self.folder / "out"
+        write_run(output)
+        write_pictures(output)
+        write_series(output / "membrane.pvd", [(3.3, "membrane/membrane_1.vtu")])
+        # The nearer one is yet to come, and is not there.
+        write_series(output / "fluid.pvd", [(2.0, "fluid/fluid_1.vti"), (3.5, "fluid/gone.vti")])
+        from tanktread_post import render
+
+        self.assertTrue(render.render(output).is_file())
 
     def test_refuses_a_field_that_is_not_there(self):
         self.assert_refused(["'strain'", "area_ratio"], self.render, field="strain")

@@ -101,6 +101,27 @@ TEST_F(Stages, MotionFromASeriesIsThatOfTheRun) {
   }
 }
 
+TEST_F(Stages, MotionTakesASurfaceOnceThatASeriesNamesAgain) {
+  // Every second entry of the one series repeats the file before it; the other has each file once.
+  call({"run", path("case.toml"), "--output", path("out"), "--set", "output.fluid_every=0.002"});
+  call({"run", path("case.toml"), "--output", path("plain"), "--set", "output.fluid_every=0"});
+  auto entries = exchange::read_series(path("out/membrane.pvd"));
+  ASSERT_EQ(entries.size(), 21U);
+  ASSERT_EQ(exchange::read_series(path("plain/membrane.pvd")).size(), 11U);
+  for (const std::string name : {"out", "plain"})
+    stage({"membrane", "--motion", path(name + "/membrane.pvd"), "--out", path(name + "_motion")});
+  const auto again = result_files(path("out_motion")), once = result_files(path("plain_motion"));
+  EXPECT_EQ(once.size(), 12U);
+  EXPECT_TRUE(again == once);
+  // Without its first entry the series begins with a file at another time than its own.
+  entries.erase(entries.begin());
+  exchange::write_series(path("out/late.pvd"), entries);
+  EXPECT_THAT(
+      stage({"membrane", "--motion", path("out/late.pvd"), "--out", path("late")}, 2),
+      HasSubstr("late.pvd: names membrane/membrane_0000000000.vtu at shear time 0.002, but the file is of "
+                "shear time 0; name it at its own time"));
+}
+
 TEST_F(Stages, TwistReturnsToTheStart) {
   stage({"membrane", "--motion", "twist", "--amplitude-deg", "20", "--period", "0.4", "--shear-time", "0.4",
          "--every", "0.2", "--out", path("twist")});
