@@ -136,11 +136,11 @@ class FullDisk:
         return None
 
     def kill_and_go_on_with(self, pages, *more):
-        """A run that is killed half-way, and goes on with so many pages of room and further options."""
+        """A run that is killed half-way, soon after a checkpoint, and goes on with so many pages of room and further options."""
         self.disk.make_room()
         shutil.rmtree(self.output)
         process = self.program.start(self.program.run(self.variant, self.output))
-        moments.AfterStep(self.program.n_steps // 2).wait(process, self.output)
+        moments.AfterStep(self.program.n_steps // 2 + 3).wait(process, self.output)
         process.kill()
         self.program.end(process)
         return self.try_with(pages, [*self.program.resume(self.variant, self.output), *more])
@@ -185,15 +185,14 @@ def grows_over_a_page(content, lines_a_step, every_checkpoint):
     A checkpoint needs room for a third one, which is given back: a smaller file meets the end of the room only late between two
     checkpoints, and so the latest such step is taken.
     """
-    begin, steps = 0, {}
-    rows = 0
-    for line in content.decode().splitlines(keepends=True):
-        if re.match(r"\d|\s*<DataSet", line):
-            if begin // PAGE != (begin + len(line)) // PAGE:
-                step = rows // lines_a_step
-                steps[(step - 1) % every_checkpoint] = step
-            rows += 1
-        begin += len(line)
+    lines = content.decode().splitlines(keepends=True)
+    rows = [k for k, line in enumerate(lines) if re.match(r"\d|\s*<DataSet", line)]
+    end, steps = sum(map(len, lines[: rows[0]] + lines[rows[-1] + 1 :])), {}
+    for number, k in enumerate(rows):
+        if end // PAGE != (end + len(lines[k])) // PAGE:
+            step = number // lines_a_step
+            steps[(step - 1) % every_checkpoint] = step
+        end += len(lines[k])
     return steps[max(steps)]
 
 
