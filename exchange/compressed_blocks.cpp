@@ -8,6 +8,7 @@
 #include <cctype>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "exchange/promised_sizes.hpp"
 #include "exchange/vtk_files.hpp"
@@ -76,21 +77,45 @@ class BlockCheck {
 
  private:
   void check_array(vtkXMLDataElement& array) {
-    const auto begin = beginning_of(array);
-    if (begin.size() < 3 * word_) return;  // VTK will say what is missing
-    const auto n_blocks = static_cast<double>(word(begin, 0));
-    const auto longest = static_cast<double>(std::max(word(begin, 1), word(begin, 2)));
+    const auto begin = words_of(array, 3);
+    if (begin.size() < 3) return;  // VTK will say what is missing
     const auto n_bytes = static_cast<double>(n_bytes_);
-    if (n_blocks * static_cast<double>(word_) <= n_bytes && longest <= growth_of_compressed * n_bytes) return;
-    throw FileError(fmt::format(
-        "{}: array '{}' begins with {:.10g} compressed blocks of up to {:.10g} bytes, which a file "
-        "of {} bytes cannot hold: it is damaged; write or copy it again",
-        file_.string(), attribute_of(array, "Name"), n_blocks, longest, n_bytes_));
+    const auto n_blocks = static_cast<double>(begin[0]),
+               longest = static_cast<double>(std::max(begin[1], begin[2]));
+    if (n_blocks * static_cast<double>(word_) > n_bytes || longest > growth_of_compressed * n_bytes)
+      refuse(array, fmt::format("{:.10g} compressed blocks of {:.10g} bytes", n_blocks, longest));
+    const auto lengths = words_of(array, 3 + begin[0]);  // those of the compressed blocks follow
+    for (std::size_t k = 3; k < lengths.size(); ++k) {
+      if (lengths[k] > n_bytes_)
+        refuse(array, fmt::format("a compressed block that takes {} bytes", lengths[k]));
+    }
   }
 
-  /// The first three words of an array, or less.
-  std::string beginning_of(vtkXMLDataElement& array) {
-    const auto n = 3 * word_, n_digits = 4 * ((n + 2) / 3);
+  [[noreturn]] void refuse(vtkXMLDataElement& array, const std::string& what) const {
+    throw FileError(fmt::format(
+        "{}: array '{}' is said to be of {}, which a file of {} bytes cannot hold: it is damaged; "
+        "write or copy it again",
+        file_.string(), attribute_of(array, "Name"), what, n_bytes_));
+  }
+
+  /// The first `n` words of an array, or less.
+  std::vector<std::uint64_t> words_of(vtkXMLDataElement& array, std::uint64_t n) {
+    const auto bytes = beginning_of(array, static_cast<std::size_t>(n) * word_);
+    std::vector<std::uint64_t> words;
+    for (std::size_t first = 0; first + word_ <= bytes.size() && words.size() < n; first += word_) {
+      std::uint64_t value = 0;
+      for (std::size_t k = 0; k < word_; ++k) {
+        const auto place = first + (is_big_endian_ ? k : word_ - 1 - k);
+        value = value << 8 | static_cast<unsigned char>(bytes[place]);
+      }
+      words.push_back(value);
+    }
+    return words;
+  }
+
+  /// At least the first `n` bytes of an array, or all that the file has.
+  std::string beginning_of(vtkXMLDataElement& array, std::size_t n) {
+    const auto n_digits = 4 * ((n + 2) / 3);
     if (attribute_of(array, "format") != "appended")
       return from_base64(bytes_at(stream_, position_of_text(stream_, array), n_digits));
     long long offset = 0;
@@ -98,15 +123,6 @@ class BlockCheck {
     if (offset > static_cast<long long>(n_bytes_)) return "";
     return is_raw_ ? bytes_at(stream_, appended_ + offset, n)
                    : from_base64(bytes_at(stream_, appended_ + offset, n_digits));
-  }
-
-  std::uint64_t word(const std::string& bytes, std::size_t number) const {
-    std::uint64_t value = 0;
-    for (std::size_t k = 0; k < word_; ++k) {
-      const auto place = number * word_ + (is_big_endian_ ? k : word_ - 1 - k);
-      value = value << 8 | static_cast<unsigned char>(bytes[place]);
-    }
-    return value;
   }
 
   std::istream& stream_;

@@ -64,10 +64,10 @@ def packed(match):
     return match.group(1) + base64.b64encode(head).decode() + base64.b64encode(block).decode() + "<"
 
 
-def compressed(n_blocks=1, length=8 * 4 * 250_000):
+def compressed(n_blocks=1, length=8 * 4 * 250_000, packed_length=None):
     """A mesh with a million zeros, which take some kilobytes, in blocks as the head of their array says."""
     zeros = zlib.compress(bytes(8 * 4 * 250_000))
-    head = base64.b64encode(struct.pack("<4I", n_blocks, length, 0, len(zeros))).decode()
+    head = base64.b64encode(struct.pack("<4I", n_blocks, length, 0, packed_length or len(zeros))).decode()
     data = f'<DataArray type="Float64" Name="zeros" NumberOfComponents="250000" format="binary">{head}{base64.b64encode(zeros).decode()}</DataArray>'
     others = re.sub(r'(format="binary">)([^<]*)<', packed, surface())
     return changed(changed(others, "<PointData>", "<PointData>" + data), "header_type", 'compressor="vtkZLibDataCompressor" header_type')
@@ -82,8 +82,9 @@ PROMISES = [
     mesh("a promise of -1 cells", surface(n_cells=-1), "NumberOfCells"),
     mesh("a promise of 10^12 numbers", surface(field_data=field("step", [1]).replace('NumberOfTuples="1"', 'NumberOfTuples="1000000000000"')), "promises"),
     mesh("a promise of 10^9 components", surface(point_data=array("a", [1, 2, 3, 4], 10**9)), "promises"),
-    mesh("a promise of 10^5 compressed blocks", compressed(n_blocks=10**5), "array 'zeros' begins with 100000 compressed blocks"),
-    mesh("a promise of a block of 10^9 bytes", compressed(length=10**9), "array 'zeros' begins with 1 compressed blocks"),
+    mesh("a promise of 10^5 compressed blocks", compressed(n_blocks=10**5), "array 'zeros' is said to be of 100000 compressed blocks"),
+    mesh("a promise of a block of 10^9 bytes", compressed(length=10**9), "array 'zeros' is said to be of 1 compressed blocks of 1000000000 bytes"),
+    mesh("a promise of a packed block of 10^6 bytes", compressed(packed_length=10**6), "array 'zeros' is said to be of a compressed block that takes 1000000"),
     mesh("a promise of no components", surface(point_data=array("a", [1, 2, 3, 4], 0)), "NumberOfComponents"),
 ]
 
