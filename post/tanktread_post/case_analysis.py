@@ -21,8 +21,9 @@ import pathlib
 import typing
 
 from .observables import InputError
-from .reference import ANALYSE, check_keys, read_comparison
+from .reference import ANALYSE, read_comparison
 from .table import Table
+from .toml_tables import check_keys
 
 FUNCTIONS = ("tables", "pictures")  # that it must have
 

@@ -12,8 +12,9 @@ import subprocess
 
 from . import going_on
 from .observables import InputError, Observables
-from .reference import ANALYSE, require_name_of
+from .reference import ANALYSE
 from .run_folder import is_finished, read_cost, read_echo, read_parameters
+from .toml_tables import require_name_of
 
 QUANTITIES = ("deformation", "inclination_deg", "length", "width", "breadth", "volume_ratio", "area_ratio")
 PARAMETERS = ("elastic_law", "capillary_number", "capillary_modulus", "kernel", "radius", "box", "mesh", "shear_rate_by")

@@ -4,7 +4,7 @@ import pathlib
 import re
 
 from .observables import InputError, Observables
-from .reference import read_toml
+from .toml_tables import read_toml
 
 
 def _laid_over(shared, own):

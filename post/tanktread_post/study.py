@@ -21,7 +21,8 @@ import pathlib
 import numpy
 
 from .observables import InputError
-from .reference import check_keys, checked_entries, look_up, matching_rows, number_in, read_table, read_toml, require_name_of
+from .reference import look_up, matching_rows, number_in, read_table
+from .toml_tables import check_keys, checked_entries, read_toml, require_name_of
 
 # The keys of study.toml: those an entry must have, those it may have.
 ENTRIES = {
