@@ -48,6 +48,6 @@ print(f"by ParaView: points of x = {' '.join(points)}, data of x = {' '.join(dat
 END
 check() {
   "$python" by_meshio.py
-  pvpython by_paraview.py
+  pvpython --no-mpi by_paraview.py
 }
 as_seen check

@@ -47,7 +47,7 @@ paraview() (
   need paraview=5.11.0+dfsg-1+b1 python3-paraview=5.11.0+dfsg-1+b1
   unpack libexpat1=2.5.0-1+deb12u2
   while read -r name mode encoded; do
-    pvpython in_paraview.py "$name" "$mode" "$encoded" >log 2>&1 </dev/null
+    pvpython --no-mpi in_paraview.py "$name" "$mode" "$encoded" >log 2>&1 </dev/null
     echo "ParaView, $name: $(grep -oE 'not well-formed.*token\)|junk after document element' log | sed 's/$/, /')$(grep -E '^[0-9]+ points' log)"
   done <<<$'raw Appended 0\nbase64 Appended 1\nbinary Binary 0'
 )

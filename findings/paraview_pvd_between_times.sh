@@ -72,4 +72,4 @@ print(f".vtu.series:     {shown(simple.OpenDataFile('t.vtu.series'))}")
 print(f"list of files:   {shown(simple.XMLUnstructuredGridReader(FileName=[f't_{k}.vtu' for k in range(3)]))}")
 print(f"XDMF:            {shown(simple.OpenDataFile('t.xdmf'))}")
 END
-as_seen pvpython check.py
+as_seen pvpython --no-mpi check.py
