@@ -32,6 +32,13 @@ bool holds_anything(const std::filesystem::path& directory) {
   return false;
 }
 
+/// The path above one that is not there which is: its directory, or a file in the way.
+std::filesystem::path nearest_above(const std::filesystem::path& path) {
+  auto above = std::filesystem::absolute(path).lexically_normal();
+  while (!std::filesystem::exists(above) && above.has_relative_path()) above = above.parent_path();
+  return above;
+}
+
 }  // namespace
 
 DirectoryLock::DirectoryLock(const std::filesystem::path& directory) {
@@ -56,7 +63,12 @@ DirectoryLock::~DirectoryLock() {
 }
 
 void require_new_directory(const std::string& option, const std::filesystem::path& directory) {
-  if (!std::filesystem::exists(directory)) return;
+  if (!std::filesystem::exists(directory)) {
+    const auto above = nearest_above(directory);
+    if (std::filesystem::is_directory(above)) return;
+    throw InputError(fmt::format("{} {}: cannot be made, for {} is no directory; give another directory",
+                                 option, directory.string(), above.string()));
+  }
   const bool is_directory = std::filesystem::is_directory(directory);
   if (is_directory && !holds_anything(directory)) return;
   throw InputError(fmt::format("{} {}: {}; give a new or an empty directory", option, directory.string(),

@@ -20,7 +20,7 @@ class DirectoryLock {
   int descriptor_;
 };
 
-/// Refuses what is no directory, and a directory that holds anything but what a killed process left half
+/// Refuses what is no directory, what lies below a file, and a directory that holds anything but what a killed process left half
 /// written. @param option that named it, for the message: "--record" @throws InputError
 void require_new_directory(const std::string& option, const std::filesystem::path& directory);
 

@@ -70,6 +70,7 @@ NUMBERS = [
 ]
 
 WRONG_FILES = [
+    Row("a record below a file", RUN + " --record case.toml/x", ["--record case.toml/x", "is no directory"]),
     Row("an output below a file", "run case.toml --output case.toml/x", ["case.toml/x"]),
     Row("a case for a surface", "membrane --case case.toml --in case.toml --out x.vtu", ["case.toml", "not a VTK XML file"]),
     Row("a case for a mesh", "mesh info case.toml", ["case.toml", "not a VTK XML file"]),
