@@ -11,7 +11,7 @@
 # | read by meshio: field data ['step'], data of points ['speed'], data of cells ['area']
 # | written and read by meshio: field data [], data of points ['speed'], data of cells ['area']
 #
-# What we do: docs/outside-programs.md: the answer of a program outside needs no field data; what is on nodes and triangles is enough.
+# What we do: docs/outside-programs.md says where a program that writes by meshio keeps its state.
 source "$(dirname "$0")/packages.bash"
 need python3-meshio=7.0.0-3
 
