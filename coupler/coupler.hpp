@@ -31,7 +31,7 @@ struct Kernel {
   void (*weights)(double first_distance, double* weights);
 };
 
-/// All kernels, the default (cosine4) first: cosine4 (Eq. 2.2), roma3, peskin4, linear2.
+/// All kernels, the default (cosine4) first: cosine4 (Eq. 2.2), roma3, peskin4, linear2, stockie6.
 const std::vector<Kernel>& kernels();
 
 /// @throws std::invalid_argument that lists the known names

@@ -48,6 +48,37 @@ double linear2(double distance) {
   return std::max(0.0, 1.0 - std::abs(distance));
 }
 
+/// The six-point function whose second moment vanishes (Stockie 1997, PhD thesis, University of British
+/// Columbia; as in Bao, Kaye and Peskin 2016, doi:10.1016/j.jcp.2016.04.024, with K = 0). Its conditions at
+/// the six points of a phase r in (0, 1], the lowest at distance r - 3, leave a quadratic equation for the
+/// lowest weight.
+void stockie6_weights(double first_distance, double* weights) {
+  const double r = first_distance + 3.0, r2 = r * r, r3 = r * r2;
+  // Written so that all is exact at r = 1, where the last weight must be 0: there a node may just not reach a
+  // wall.
+  const double b = 2.25 - 1.5 * r2 + (22.0 * r - 7.0 * r3) / 3.0;
+  const double g = r2 * (161.0 - 109.0 * r2 + 20.0 * r2 * r2) / 288.0;
+  // (-b + sqrt(b^2 - 112 g))/56, without the difference of two nearly equal numbers.
+  const double lowest = -2.0 * g / (b + std::sqrt(b * b - 112.0 * g));
+  const double even = (r2 - 0.5) / 8.0, odd = (r3 - r) / 12.0;
+  weights[0] = lowest;
+  weights[1] = -3.0 * lowest + even + odd;
+  weights[2] = 2.0 * lowest + 0.25 + (4.0 * r - r3) / 6.0;
+  weights[3] = 2.0 * lowest + 0.625 - 0.25 * r2;
+  weights[4] = -3.0 * lowest + 0.25 - (4.0 * r - r3) / 6.0;
+  weights[5] = lowest + even - odd;
+}
+
+double stockie6(double distance) {
+  const double r = std::abs(distance);
+  if (r >= 3.0) return 0.0;
+  // The point at -r is one of the six of its phase: the lowest for r >= 2 and so on.
+  const int point = r >= 2.0 ? 0 : r >= 1.0 ? 1 : 2;
+  double weights[6];
+  stockie6_weights(-r - point, weights);
+  return weights[point];
+}
+
 }  // namespace
 
 const std::vector<Kernel>& kernels() {
@@ -69,6 +100,11 @@ const std::vector<Kernel>& kernels() {
        "condition, "
        "sum of squares between 1/2 and 1",
        1.0, true, linear2, nullptr},
+      {"stockie6",
+       "6 points, square root (Stockie 1997): partition of unity, first and second moment, even-odd "
+       "condition, sum of "
+       "squares 67/128; weights down to -0.065",
+       3.0, true, stockie6, stockie6_weights},
   };
   return all;
 }

@@ -20,12 +20,14 @@ struct Moments {
   double even_odd;                            ///< |sum of (-1)^j phi(s - j)|, likewise
   std::array<double, 2> sum_of_squares;       ///< the least and the largest of all s
   double second_moment;                       ///< sum of (s - j)^2 phi(s - j), r.m.s. over all s; four digits
+  std::array<double, 2> least;                ///< where phi is least, and phi there; up to there it falls
   /// Mean over all s of the sum over i, j of phi(i - s) phi(j - s) |i - j|/2.
   double shortfall;
 };
 
 inline const std::vector<Moments>& known_moments() {
-  static const double root2 = std::sqrt(2.0), root7 = std::sqrt(7.0), root13 = std::sqrt(13.0);
+  static const double root2 = std::sqrt(2.0), root7 = std::sqrt(7.0), root13 = std::sqrt(13.0),
+                      root231 = std::sqrt(231.0);
   static const std::vector<Moments> rows = {
       // First moment: s - 1/2 + cos(pi s/2 + pi/4)/sqrt(2) has its extrema where the sine of that angle is
       // 2 sqrt(2)/pi; there it is 0.0210881.
@@ -39,6 +41,7 @@ inline const std::vector<Moments>& known_moments() {
        0.0,
        {3.0 / 8.0, 3.0 / 8.0},
        0.5230,
+       {2.0, 0.0},
        // With c and s', cosine and sine of pi s/2, the sum is (4 - c - s' + c s')/8; the means are 2/pi,
        // 2/pi,
        // 1/pi.
@@ -54,6 +57,7 @@ inline const std::vector<Moments>& known_moments() {
        1.0 / 3.0,
        {1.0 / 2.0, 1.0 / 2.0},
        0.2998,
+       {1.5, 0.0},
        // By the first two moments (1 - w^2 - s^2)/2 with w = (1 + q)/3, q = sqrt(1 - 3 s^2), |s| <= 1/2; the
        // means
        // of q and q^2 are 1/4 + pi/(3 sqrt(3)) and 3/4.
@@ -69,6 +73,7 @@ inline const std::vector<Moments>& known_moments() {
        0.0,
        {3.0 / 8.0, 3.0 / 8.0},
        0.5242,
+       {2.0, 0.0},
        0.380992},  // by summation outside the project
       // On a node the even-odd sum and that of the squares are 1; half-way between two nodes, 0 and 1/2. The
       // second moment is s (1 - s), its r.m.s. sqrt(1/30).
@@ -78,7 +83,22 @@ inline const std::vector<Moments>& known_moments() {
        1.0,
        {1.0 / 2.0, 1.0},
        0.1826,
+       {1.0, 0.0},
        1.0 / 6.0},  // s (1 - s)
+      // At the phase 0 the quadratic equation has the root 0; at 1/2 it has (sqrt(231) - 21)/224.
+      {"stockie6",
+       {{0.0, 5.0 / 8.0},
+        {0.5, 9.0 / 16.0 + (root231 - 21.0) / 112.0},
+        {1.0, 1.0 / 4.0},
+        {1.5, -1.0 / 16.0 - 3.0 * (root231 - 21.0) / 224.0},
+        {2.0, -1.0 / 16.0},
+        {2.5, (root231 - 21.0) / 224.0}},
+       0.0,
+       0.0,
+       {67.0 / 128.0, 67.0 / 128.0},  // 25/64 + 2/16 + 2/256
+       0.0,
+       {1.941895, -0.0647725},  // by search outside the project
+       0.173756},               // by summation outside the project
   };
   return rows;
 }
