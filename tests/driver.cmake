@@ -18,7 +18,7 @@ target_compile_definitions(driver_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:
 # Not by __FILE__, which is a relative path where ccache has a base directory.
 set_source_files_properties(unit/case_schema_test.cpp PROPERTIES
   COMPILE_DEFINITIONS TANKTREAD_SOURCE="${PROJECT_SOURCE_DIR}")
-tanktread_test(study_test SOURCES verification/study_maxwell_test.cpp verification/study_noise_test.cpp
+tanktread_test(study_test SOURCES verification/study_maxwell_test.cpp verification/study_noise_test.cpp verification/study_kernel_test.cpp
   verification/study_twist_test.cpp LIBRARIES tanktread_driver)
 tanktread_test(stages_test SOURCES integration/stages_test.cpp integration/replay_test.cpp integration/program.cpp
   LIBRARIES tanktread_driver)

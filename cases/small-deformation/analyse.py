@@ -40,6 +40,7 @@ class Reading:
     run: str
     law: str
     kernel: str
+    corrected: bool  # with coupler.tangential_correction
     capillary_number: float  # by G_s
     radius: float  # grid steps
     width: int  # grid steps, of the cubic box
@@ -79,6 +80,7 @@ def read_run(directory, shear_time):
         run=pathlib.Path(directory).name,
         law=capsule["membrane"]["elastic_law"],
         kernel=echo["coupler"]["kernel"],
+        corrected=bool(echo["coupler"].get("tangential_correction")),
         capillary_number=capillary_number_by_shear_modulus(capsule["membrane"]),
         radius=capsule["radius"],
         width=echo["flow"]["box"][2],
@@ -123,7 +125,7 @@ class Series:
 
     def __init__(self, readings, settings):
         self.settings = settings
-        self.readings = [r for r in readings if r.inertia]
+        self.readings = [r for r in readings if r.inertia and not r.corrected]
         self.stokes = [r for r in readings if not r.inertia]
 
     def in_box(self, reading):

@@ -17,6 +17,10 @@ void add_noise_study(CLI::App& study, int&) {
   add_missing_command(study, "strain-rate-noise", "the coupler");
 }
 
+void add_kernel_study(CLI::App& study, int&) {
+  add_missing_command(study, "kernel", "the coupler");
+}
+
 std::vector<std::string> kernel_names() {
   return {};
 }

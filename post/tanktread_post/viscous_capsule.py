@@ -33,7 +33,8 @@ makes the axes of the shear plane longer or shorter alike. So D/Ca and (pi/4 - i
 
 An immersed boundary spreads the force over a few grid steps and takes the velocity from as many. There the tangential velocity has a
 kink of f_t, and the mean over it is short by loss f_t, loss = C dx/a with the C of docs/kernels.md: so much less is the tangential
-mobility. The radial velocity has no kink.
+mobility. The radial velocity has no kink. That is the first order; kernel_theory.py has the whole mobility of a kernel, which the
+functions below take in place of the sharp one.
 """
 
 import cmath
@@ -47,13 +48,18 @@ def _force(shear, area):
     return numpy.array([[-4 * area, 12 * area], [2 * area, -(6 * area + 4 * shear)]])
 
 
-def _response(force, loss):
-    """M: the velocity (w, v) that the fluid takes from a force (f_r, f_t) that is a matrix times the displacement (w, v)."""
+def sharp_mobility(loss=0.0):
+    """The velocity (w, v) that the fluid takes from a force (f_r, f_t), 2 x 2, less the loss of tangential mobility."""
     to_eigenfunctions = numpy.array([[-1, 2], [1, 3]]) / 5  # of (f_r, f_t)
     velocity = numpy.array([[-3, 2], [1, 1]]) @ numpy.diag([2 / 35, 1 / 5])  # (radial, tangential) of these
     mobility = velocity @ to_eigenfunctions
     mobility[1, 1] -= loss
-    return mobility @ force
+    return mobility
+
+
+def _response(force, loss, mobility):
+    """M: the velocity (w, v) that the fluid takes from a force that is a matrix times the displacement (w, v)."""
+    return (sharp_mobility(loss) if mobility is None else mobility) @ force
 
 
 FLOW = 0.5j * numpy.array([1, 0.5])  # of the undisturbed flow, in (w, v)
@@ -64,33 +70,33 @@ def _shape(w):
     return abs(w), math.degrees(cmath.phase(w)) / 2
 
 
-def _steady(force, loss):
+def _steady(force, loss, mobility):
     """(D, inclination in degrees) of what answers a displacement (w, v) exp(i t) with a force that is a matrix times it."""
-    w, _ = numpy.linalg.solve(1j * numpy.eye(2) - _response(force, loss), FLOW)
+    w, _ = numpy.linalg.solve(1j * numpy.eye(2) - _response(force, loss, mobility), FLOW)
     return _shape(w)
 
 
-def steady_state(capillary_number, boussinesq_shear=0.0, boussinesq_dilatational=0.0, area_modulus=3.0, loss=0.0):
+def steady_state(capillary_number, boussinesq_shear=0.0, boussinesq_dilatational=0.0, area_modulus=3.0, loss=0.0, mobility=None):
     """(D, inclination in degrees). Capillary number by G_s; area_modulus = K_s/G_s (3: Skalak with C = 1, neo-Hookean); loss of
-    tangential mobility to an immersed boundary."""
+    tangential mobility to an immersed boundary, or the whole mobility (kernel_theory.mobility) in its place."""
     shear = 1 / capillary_number + 1j * boussinesq_shear
     area = area_modulus / capillary_number + 1j * boussinesq_dilatational
-    return _steady(_force(shear, area), loss)
+    return _steady(_force(shear, area), loss, mobility)
 
 
-def drop_steady_state(capillary_number, boussinesq_shear=0.0, boussinesq_dilatational=0.0, loss=0.0):
+def drop_steady_state(capillary_number, boussinesq_shear=0.0, boussinesq_dilatational=0.0, loss=0.0, mobility=None):
     """(D, inclination in degrees) of a drop. Capillary number by the interfacial tension; at a given Bq both errors are of third order in it.
-    loss as of steady_state."""
+    loss and mobility as of steady_state."""
     tension = numpy.array([[-4 / capillary_number, 0], [0, 0]])
-    return _steady(tension + _force(1j * boussinesq_shear, 1j * boussinesq_dilatational), loss)
+    return _steady(tension + _force(1j * boussinesq_shear, 1j * boussinesq_dilatational), loss, mobility)
 
 
-def start_up(shear_time, capillary_number, boussinesq_shear, spring_relaxation_time, area_modulus=3.0, loss=0.0):
+def start_up(shear_time, capillary_number, boussinesq_shear, spring_relaxation_time, area_modulus=3.0, loss=0.0, mobility=None):
     """(D, inclination in degrees) at a shear time, from a sphere at rest in the developed flow. spring_relaxation_time is
-    tau_s g = mu_s g/k_s', positive, of which theta is the double; the membrane has no dilatational viscosity."""
+    tau_s g = mu_s g/k_s', positive, of which theta is the double; the membrane has no dilatational viscosity. loss and mobility as of steady_state."""
     one = numpy.eye(2)
-    elastic = _response(_force(1 / capillary_number, area_modulus / capillary_number), loss)
-    viscous = _response(_force(boussinesq_shear, 0), loss)
+    elastic = _response(_force(1 / capillary_number, area_modulus / capillary_number), loss, mobility)
+    viscous = _response(_force(boussinesq_shear, 0), loss, mobility)
     rate = 1 / (2 * spring_relaxation_time)
     # Of (w, v) and r, turned with the flow, whose forcing is constant then.
     growth = numpy.block([[elastic, viscous], [rate * elastic, rate * (viscous - one)]]) - 1j * numpy.eye(4)
