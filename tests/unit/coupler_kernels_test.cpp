@@ -126,8 +126,9 @@ TEST_P(CouplerKernel, SumOfSquaresIsConstantJustWhereItIsClaimed) {
   EXPECT_NEAR(largest, known_largest, bound);
 }
 
-TEST_P(CouplerKernel, SecondMoment) {
+TEST_P(CouplerKernel, SecondAndFourthMoment) {
   EXPECT_NEAR(mean_square_root_of_phases(kernel_, second_moment), known_->second_moment, 0.5e-4);
+  EXPECT_NEAR(mean_square_root_of_phases(kernel_, fourth_moment), known_->fourth_moment, 0.5e-4);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, CouplerKernel, ::testing::ValuesIn(kernels()),

@@ -20,6 +20,7 @@ struct Moments {
   double even_odd;                            ///< |sum of (-1)^j phi(s - j)|, likewise
   std::array<double, 2> sum_of_squares;       ///< the least and the largest of all s
   double second_moment;                       ///< sum of (s - j)^2 phi(s - j), r.m.s. over all s; four digits
+  double fourth_moment;                       ///< sum of (s - j)^4 phi(s - j), likewise
   std::array<double, 2> least;                ///< where phi is least, and phi there; up to there it falls
   /// Mean over all s of the sum over i, j of phi(i - s) phi(j - s) |i - j|/2.
   double shortfall;
@@ -41,6 +42,7 @@ inline const std::vector<Moments>& known_moments() {
        0.0,
        {3.0 / 8.0, 3.0 / 8.0},
        0.5230,
+       0.6656,
        {2.0, 0.0},
        // With c and s', cosine and sine of pi s/2, the sum is (4 - c - s' + c s')/8; the means are 2/pi,
        // 2/pi,
@@ -57,6 +59,7 @@ inline const std::vector<Moments>& known_moments() {
        1.0 / 3.0,
        {1.0 / 2.0, 1.0 / 2.0},
        0.2998,
+       0.2407,
        {1.5, 0.0},
        // By the first two moments (1 - w^2 - s^2)/2 with w = (1 + q)/3, q = sqrt(1 - 3 s^2), |s| <= 1/2; the
        // means
@@ -73,6 +76,7 @@ inline const std::vector<Moments>& known_moments() {
        0.0,
        {3.0 / 8.0, 3.0 / 8.0},
        0.5242,
+       0.6731,
        {2.0, 0.0},
        0.380992},  // by summation outside the project
       // On a node the even-odd sum and that of the squares are 1; half-way between two nodes, 0 and 1/2. The
@@ -83,6 +87,7 @@ inline const std::vector<Moments>& known_moments() {
        1.0,
        {1.0 / 2.0, 1.0},
        0.1826,
+       0.0690,
        {1.0, 0.0},
        1.0 / 6.0},  // s (1 - s)
       // At the phase 0 the quadratic equation has the root 0; at 1/2 it has (sqrt(231) - 21)/224.
@@ -97,6 +102,7 @@ inline const std::vector<Moments>& known_moments() {
        0.0,
        {67.0 / 128.0, 67.0 / 128.0},  // 25/64 + 2/16 + 2/256
        0.0,
+       1.6756,
        {1.941895, -0.0647725},  // by search outside the project
        0.173756},               // by summation outside the project
   };
@@ -131,6 +137,10 @@ inline double first_moment(const Kernel& kernel, double s) {
 }
 inline double second_moment(const Kernel& kernel, double s) {
   return sum_over_nodes(kernel, s, [s](int j) { return (s - j) * (s - j); });
+}
+
+inline double fourth_moment(const Kernel& kernel, double s) {
+  return sum_over_nodes(kernel, s, [s](int j) { return std::pow(s - j, 4); });
 }
 
 /// The largest size, and the root mean square, of a function of kernel and phase over all phases.
