@@ -33,13 +33,14 @@ std::string bytes_at(std::istream& stream, std::int64_t position, std::size_t n)
   return bytes;
 }
 
-/// Up to the first character that is not of base64.
+/// Up to the first character that is not of base64. An equals sign counts as a digit of zero wherever it
+/// stands, as it does in VTK.
 std::string from_base64(const std::string& text) {
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string bytes;
   std::uint32_t bits = 0;
   for (std::size_t k = 0; k < text.size(); ++k) {
-    const auto digit = digits.find(text[k]);
+    const auto digit = text[k] == '=' ? 0 : digits.find(text[k]);
     if (digit == std::string_view::npos) break;
     bits = bits << 6 | static_cast<std::uint32_t>(digit);
     if (k % 4 != 0) bytes += static_cast<char>(bits >> (6 - 2 * (k % 4)) & 0xff);

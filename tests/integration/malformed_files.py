@@ -83,6 +83,8 @@ PROMISES = [
     mesh("a promise of 10^12 numbers", surface(field_data=field("step", [1]).replace('NumberOfTuples="1"', 'NumberOfTuples="1000000000000"')), "promises"),
     mesh("a promise of 10^9 components", surface(point_data=array("a", [1, 2, 3, 4], 10**9)), "promises"),
     mesh("a promise of 10^5 compressed blocks", compressed(n_blocks=10**5), "array 'zeros' is said to be of 100000 compressed blocks"),
+    # 100096, whose first digit in base64 is zero, which is A and for VTK an equals sign too.
+    mesh("a promise that begins with =", re.sub(">AIcBA", ">=IcBA", compressed(n_blocks=100096)), "said to be of 100096 compressed blocks"),
     mesh("a promise of a block of 10^9 bytes", compressed(length=10**9), "array 'zeros' is said to be of 1 compressed blocks of 1000000000 bytes"),
     mesh("a promise of a packed block of 10^6 bytes", compressed(packed_length=10**6), "array 'zeros' is said to be of a compressed block that takes 1000000"),
     mesh("a promise of no components", surface(point_data=array("a", [1, 2, 3, 4], 0)), "NumberOfComponents"),
