@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,11 @@ int main(int argc, char** argv) {
     return app->exit(error) == 0 ? 0 : exit_bad_input;
   } catch (const tanktread::driver::InputError& error) {
     return fail(exit_bad_input, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(
+        exit_run_failed,
+        "the memory is not enough for this: something as large as the grid could not be stored; make "
+        "flow.box (or the surface) smaller, or end other programs. tanktread plan says what a case needs");
   } catch (const std::exception& error) {
     return fail(exit_run_failed, error.what());
   }

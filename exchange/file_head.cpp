@@ -17,6 +17,7 @@
 #include <string_view>
 
 #include "exchange/compressed_blocks.hpp"
+#include "exchange/file_kind.hpp"
 #include "exchange/grid_head.hpp"
 #include "exchange/promised_sizes.hpp"
 #include "exchange/vtk_calls.hpp"
@@ -94,10 +95,7 @@ void check_type(vtkXMLDataElement& root, const std::string& type, const std::fil
     throw FileError(fmt::format("{}: is not a VTK XML file (expected one of type {})", file.string(), type));
   }
   if (found != type) {
-    throw FileError(
-        fmt::format("{}: is a VTK file of type {}, expected {}; convert it first, as with ParaView or "
-                    "meshio",
-                    file.string(), found, type));
+    throw FileError(fmt::format("{}: {}", file.string(), other_type(file, found, type)));
   }
 }
 

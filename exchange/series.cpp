@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "exchange/file_head.hpp"
+#include "exchange/file_kind.hpp"
 #include "exchange/file_tail.hpp"
 #include "exchange/vtk_files.hpp"
 #include "exchange/whole_file.hpp"
@@ -100,8 +101,8 @@ std::vector<SeriesEntry> parse(const std::string& text, const path& file) {
   const char* type = root->GetAttribute("type");
   auto* collection = root->FindNestedElementWithName("Collection");
   if (type == nullptr || std::strcmp(type, "Collection") != 0) {
-    throw FileError(fmt::format("{}: is not a .pvd series: it is of type {}, expected Collection",
-                                file.string(), type != nullptr ? type : "unknown"));
+    throw FileError(fmt::format("{}: is not a .pvd series: it {}", file.string(),
+                                other_type(file, type != nullptr ? type : "unknown", "Collection")));
   }
   if (collection == nullptr)
     throw FileError(fmt::format("{}: is not a .pvd series: it has no element Collection", file.string()));

@@ -128,7 +128,7 @@ SurfacePacket read(const path& file, Convert convert, bool exact) {
   SurfacePacket packet;
   packet.triangles = triangles_of(*grid, file);
   if (grid->GetPoints() != nullptr) {
-    packet.points = values_of(*grid->GetPoints()->GetData(), convert, "the array of points", file);
+    packet.points = values_of(*grid->GetPoints()->GetData(), convert, points_text, file);
   }
   packet.point_data = take_arrays(*grid->GetPointData(), convert, "point data", file);
   packet.cell_data = take_arrays(*grid->GetCellData(), convert, "cell data", file);

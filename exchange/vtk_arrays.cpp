@@ -1,5 +1,7 @@
 #include "exchange/vtk_arrays.hpp"
 
+#include "exchange/file_kind.hpp"
+
 #include <fmt/format.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -99,8 +101,9 @@ std::vector<double> values_of(vtkDataArray& array, Convert convert, const std::s
   if (convert == Convert::nothing) {
     throw FileError(
         fmt::format("{}: {} is of type {}, not double; a packet keeps every bit: write it as Float64, in "
-                    "numpy float64",
-                    file.string(), what, array.GetDataTypeAsString()));
+                    "numpy float64{}",
+                    file.string(), what, array.GetDataTypeAsString(),
+                    what == points_text ? ", or convert the surface: " + convert_command(file) : ""));
   }
   if (convert == Convert::exactly && array.GetDataType() == VTK_FLOAT) {
     throw FileError(

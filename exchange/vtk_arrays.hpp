@@ -35,6 +35,9 @@ void add_arrays(const std::vector<Array>& arrays, std::int64_t n_tuples, vtkFiel
 std::vector<Array> take_arrays(vtkFieldData& data, Convert convert, const std::string& kind,
                                const std::filesystem::path& file);
 
+/// What the points are called in messages; there a surface can be converted as a whole.
+inline constexpr const char* points_text = "the array of points";
+
 /// The values of one array, as in take_arrays.
 std::vector<double> values_of(vtkDataArray& array, Convert convert, const std::string& what,
                               const std::filesystem::path& file);

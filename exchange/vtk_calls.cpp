@@ -16,6 +16,7 @@
 #include <vtkXMLWriter.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -71,6 +72,17 @@ void check_outcome(const VtkMessages& messages, unsigned long error_code, const 
     text = fmt::format("it is not as VTK files are (VTK's error {})", error_code);
   }
   throw FileError(fmt::format("{}: {}: {}", file.string(), what, text));
+}
+
+/// What the system said last, if it is a reason for which a file cannot be written; else "". VTK passes on
+/// that a write failed, not why.
+std::string reason_of_writing(int system_error) {
+  constexpr std::array reasons = {ENOSPC, EDQUOT, EFBIG,  EIO,    EROFS, EACCES,
+                                  EPERM,  EMFILE, ENFILE, ENOMEM, ENOENT};
+  if (std::ranges::find(reasons, system_error) == reasons.end()) return "";
+  std::string text = std::strerror(system_error);
+  if (system_error == ENOSPC || system_error == EDQUOT) text += "; make room there, or write elsewhere";
+  return text;
 }
 
 /// Keeps VTK's logger off the terminal while it lives.
@@ -135,17 +147,19 @@ void write_with(vtkXMLWriter& writer, vtkDataObject& data, const fs::path& file)
   writer.SetHeaderTypeToUInt64();  // arrays beyond 4 GiB
   errno = 0;
   const bool written = writer.Write() == 1;
-  const int system_error = errno;
+  const auto reason = reason_of_writing(errno);
+  const bool failed = !written || writer.GetErrorCode() != 0 || !messages.text().empty();
+  if (failed && !reason.empty())
+    throw FileError(fmt::format("{}: cannot be written: {}", file.string(), reason));
   check_outcome(messages, writer.GetErrorCode(), file, "cannot be written");
   if (!written) {  // VTK may also fail without a word
-    throw FileError(fmt::format("{}: cannot be written: {}", file.string(),
-                                system_error != 0 ? std::strerror(system_error) : "VTK's writer failed"));
+    throw FileError(fmt::format("{}: cannot be written: VTK's writer failed", file.string()));
   }
   atomic.commit();
 }
 
 void read_with(vtkXMLReader& reader, const fs::path& file, const std::string& type, bool exact) {
-  const WholeFile whole(file);
+  const WholeFile whole(file, type);
   const int n_field_arrays = check_head(whole, type, exact);
   VtkMessages messages;
   messages.listen_to(&reader);

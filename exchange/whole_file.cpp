@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "exchange/file_kind.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::exchange {
@@ -55,7 +56,10 @@ std::string end_of(const fs::path& file) {
   return text;
 }
 
-[[noreturn]] void refuse_cut(const fs::path& file) {
+/// @param type VTK's type of what it should be
+[[noreturn]] void refuse_cut(const fs::path& file, const std::string& type) {
+  const auto other = foreign_format(file, file, type);
+  if (!other.empty()) throw FileError(fmt::format("{}: {}", file.string(), other));
   throw FileError(
       fmt::format("{}: does not end with {}: it is cut off, or not a VTK XML file; write or copy it again",
                   file.string(), last_element));
@@ -82,10 +86,11 @@ std::string read_all(const Descriptor& open, const fs::path& file) {
 
 }  // namespace
 
-WholeFile::WholeFile(fs::path name) : name_(std::move(name)), open_(require_file(name_), O_RDONLY) {
+WholeFile::WholeFile(fs::path name, const std::string& type)
+    : name_(std::move(name)), open_(require_file(name_), O_RDONLY) {
   require_open(open_, name_);
   content_ = name_of(open_.number(), name_);
-  if (!ends_whole(end_of(content_))) refuse_cut(name_);
+  if (!ends_whole(end_of(content_))) refuse_cut(name_, type);
 }
 
 std::string read_growing_text(const fs::path& file) {
@@ -93,7 +98,7 @@ std::string read_growing_text(const fs::path& file) {
   require_open(open, file);
   lock_for_reading(open);
   auto text = read_all(open, file);
-  if (!ends_whole(text)) refuse_cut(file);
+  if (!ends_whole(text)) refuse_cut(file, "Collection");
   return text;
 }
 

@@ -12,8 +12,10 @@ namespace tanktread::exchange {
 /// another is renamed onto its name meanwhile.
 class WholeFile {
  public:
-  /// @throws FileError if it is not there, cannot be read, or does not end as VTK's files do
-  explicit WholeFile(std::filesystem::path name);
+  /// @param type VTK's type of what it should be, for the message: "UnstructuredGrid"
+  /// @throws FileError if it is not there, cannot be read, is of another format, or does not end as VTK's
+  /// files do
+  WholeFile(std::filesystem::path name, const std::string& type);
 
   /// The name for messages.
   const std::filesystem::path& name() const { return name_; }

@@ -9,7 +9,7 @@ tanktread_test(diff_test SOURCES integration/diff_test.cpp integration/diff_dire
 target_compile_definitions(diff_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
 add_dependencies(diff_test tanktread)
 tanktread_test(driver_test SOURCES unit/case_schema_test.cpp unit/case_errors_test.cpp unit/case_bounds_test.cpp
-  unit/number_option_test.cpp unit/schedule_test.cpp
+  unit/number_option_test.cpp unit/schedule_test.cpp unit/memory_test.cpp unit/cost_test.cpp
   unit/case_geometry_test.cpp unit/case_key_depth_test.cpp unit/case_set_test.cpp unit/case_round_trip_test.cpp unit/case_warnings_test.cpp
   unit/case_programs_test.cpp unit/child_process_test.cpp
   unit/units_parameters_test.cpp unit/units_si_test.cpp unit/parameters_file_test.cpp unit/echo_text_test.cpp unit/output_directory_test.cpp

@@ -4,6 +4,7 @@ tanktread_compile_options(exchange_samples)
 target_link_libraries(exchange_samples PUBLIC tanktread::exchange GTest::gtest)
 
 tanktread_test(exchange_packet_test SOURCES unit/exchange_packet_test.cpp LIBRARIES exchange_samples)
+tanktread_test(exchange_shell_test SOURCES unit/exchange_shell_test.cpp LIBRARIES tanktread::exchange)
 tanktread_test(exchange_series_test SOURCES unit/exchange_series_test.cpp LIBRARIES exchange_samples)
 tanktread_test(exchange_series_append_test SOURCES unit/exchange_series_append_test.cpp LIBRARIES exchange_samples)
 tanktread_test(exchange_reading_test SOURCES unit/exchange_reading_test.cpp LIBRARIES exchange_samples)

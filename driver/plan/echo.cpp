@@ -5,6 +5,7 @@
 #include "driver/case/case_programs.hpp"
 #include "driver/plan/duration.hpp"
 #include "driver/plan/echo_capsule.hpp"
+#include "driver/program/memory.hpp"
 #include "driver/units/schedule.hpp"
 
 namespace tanktread::driver {
@@ -78,14 +79,10 @@ void put_schedule(EchoTable& table, const Subject& subject, const std::string& n
     table.row(name, "never");
     return;
   }
-  if (interval > n_steps) {
-    table.row(name, n_steps == 0 ? "1" : "2", "", "times, at the start and the end");
-    return;
-  }
-  // Step 0, each that is due, and the last.
-  const auto n_written = 1 + n_steps / interval + (n_steps % interval == 0 ? 0 : 1);
-  table.row(name, fmt::format("{}", n_written), in_si(subject, static_cast<double>(interval), second, "s"),
-            fmt::format("times, every {} steps", interval));
+  const auto note = interval > n_steps ? std::string("times, at the start and the end")
+                                       : fmt::format("times, every {} steps", interval);
+  table.row(name, fmt::format("{}", times_due({interval}, n_steps)),
+            in_si(subject, static_cast<double>(interval), second, "s"), note);
 }
 
 void put_run(EchoTable& table, const Subject& subject) {
@@ -105,18 +102,36 @@ void put_run(EchoTable& table, const Subject& subject) {
   put_schedule(table, subject, "checkpoints", the_case.run.checkpoint_every);
 }
 
-std::string bytes_text(double bytes) {
-  return bytes >= 1e9 ? fmt::format("{:.2f} GB", 1e-9 * bytes) : fmt::format("{:.1f} MB", 1e-6 * bytes);
+void put_files(EchoTable& table, const FilesCost& files) {
+  const auto kept = files.n_kept < files.n_written ? fmt::format(", {:.0f} are kept", files.n_kept) : "";
+  constexpr double worth_saying = 0.5;
+  const auto time = files.n_written * files.seconds >= worth_saying
+                        ? fmt::format(", {} to write", duration_text(files.n_written * files.seconds))
+                        : "";
+  table.row(files.name, bytes_text(files.n_kept * files.bytes), "",
+            fmt::format("{:.0f} of {}{}{}", files.n_written, bytes_text(files.bytes), kept, time),
+            files.n_written > 0);
 }
 
 void put_cost(EchoTable& table, const Cost& cost, bool with_program) {
-  table.section("cost");
-  table.row("memory", bytes_text(cost.memory_bytes), "", "about", cost.memory_bytes > 0);
-  table.row("disk", bytes_text(cost.disk_bytes), "", "about, with two checkpoints", cost.disk_bytes > 0);
-  table.row("run time", cost.mlups > 0 ? duration_text(cost.run_seconds) : "not measured", "",
-            cost.mlups > 0 ? fmt::format("{:.1f} MLUPS, measured now", cost.mlups)
-            : with_program ? "a program has its own time: the run will tell"
-                           : "");
+  table.section("cost, estimated");
+  table.row("memory", bytes_text(cost.memory_bytes), "", "at its peak", cost.memory_bytes > 0);
+  for (const auto& files : cost.files) put_files(table, files);
+  table.row("disk", bytes_text(cost.disk_bytes()), "",
+            fmt::format("at the end; at most {}", bytes_text(cost.disk_peak_bytes())), cost.disk_bytes() > 0);
+  if (cost.mlups == 0) {
+    table.row("run time", "not measured", "",
+              with_program             ? "a program has its own time: the run will tell"
+              : cost.breakdown.empty() ? ""
+                                       : "the first steps break down: see the warning");
+    return;
+  }
+  const auto writing = cost.write_seconds();
+  table.row("run time", duration_text(cost.step_seconds + writing), "",
+            fmt::format("{} of steps + {}", duration_text(cost.step_seconds),
+                        writing > 0 ? duration_text(writing) + " of writing, measured now"
+                                    : "writing, which could not be measured"));
+  table.row("speed", fmt::format("{:.1f} MLUPS", cost.mlups), "", "measured now");
 }
 
 }  // namespace

@@ -4,17 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "driver/plan/cost.hpp"
 #include "driver/units/units.hpp"
 
 namespace tanktread::driver {
-
-/// What a run costs, from the parameters and a measured speed.
-struct Cost {
-  double mlups = 0;  ///< million node updates a second; 0: not measured
-  double run_seconds = 0;
-  double memory_bytes = 0;
-  double disk_bytes = 0;
-};
 
 /// The echo: aligned text in sections, at most 100 columns wide (the title apart): one line a number, with
 /// its SI value if the case has [si], and formula; it ends with the cost and the warnings.

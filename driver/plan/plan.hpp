@@ -21,9 +21,10 @@ struct Plan {
 };
 
 /// Works a case out. Its speed on this machine is measured by a probe: the case itself, for about a second,
-/// or a tenth of the run if that is less.
+/// or a tenth of the run if that is less, and a file of each kind (try_case()).
 /// @param meshes the reference meshes if they are known (a resumed run), else they are made
-/// @throws InputError
-Plan make_plan(const Case& the_case, std::vector<membrane::TriangleMesh> meshes = {});
+/// @param held_bytes memory that the caller has now and gives back before the run (a state to resume from)
+/// @throws InputError, also for a box that memory cannot hold, before it is tried
+Plan make_plan(const Case& the_case, std::vector<membrane::TriangleMesh> meshes = {}, double held_bytes = 0);
 
 }  // namespace tanktread::driver

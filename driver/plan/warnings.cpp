@@ -7,6 +7,7 @@
 
 #include "coupler/coupler.hpp"
 #include "driver/case/case_geometry.hpp"
+#include "driver/plan/warnings_si.hpp"
 #include "driver/units/schedule.hpp"
 #include "driver/units/stability.hpp"
 
@@ -88,6 +89,17 @@ void warn_of_membrane(Lines& lines, std::size_t number, const Case& the_case,
         "capsule {}: the mean mesh edge is {:.3g} grid steps, outside 0.5 to 2: {}; {}", number,
         mean_edges[number], is_fine ? "work for no gain" : "the fluid leaks between the nodes", fix));
   }
+}
+
+/// Beyond these a capsule either tears in nature, or keeps its shape and the flow has no part in it.
+void warn_of_capillary_number(Lines& lines, std::size_t number, const Case& the_case) {
+  constexpr double least = 1e-4, greatest = 10;
+  const double given = the_case.capsules[number].membrane.capillary_number;
+  if (given >= least && given <= greatest) return;
+  lines.push_back(fmt::format(
+      "capsule {}: Ca = {:.4g} is outside {:g} to {:g}: {}; check {}", number, given, least, greatest,
+      given > greatest ? "the membrane hardly resists the flow" : "the flow hardly deforms the membrane",
+      the_case.si ? "the values of [si] and their units" : "membrane.capillary_number"));
 }
 
 /// A part of a membrane viscosity and its artificial spring.
@@ -190,11 +202,13 @@ std::vector<std::string> warnings(const Case& the_case, const Parameters& parame
   warn_of_flow(lines, the_case, parameters);
   for (std::size_t k = 0; k < the_case.capsules.size(); ++k) {
     warn_of_membrane(lines, k, the_case, mean_edges);
+    warn_of_capillary_number(lines, k, the_case);
     warn_of_viscosity(lines, k, the_case, parameters);
     warn_of_gaps(lines, k, the_case);
     warn_of_neighbours(lines, k, the_case);
   }
   warn_of_rounding(lines, the_case, parameters);
+  for (auto& line : si_warnings(the_case, parameters)) lines.push_back(std::move(line));
   return lines;
 }
 

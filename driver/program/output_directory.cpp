@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "driver/program/errors.hpp"
+#include "exchange/shell_text.hpp"
 
 namespace tanktread::driver {
 namespace {
@@ -86,7 +87,7 @@ void check_output_directory(const std::filesystem::path& directory, bool force) 
         fmt::format("--output {}: the directory is not empty and is never overwritten by itself; "
                     "choose another, add --force to remove the earlier run, or go on from it with "
                     "--resume {}",
-                    directory.string(), directory.string()));
+                    directory.string(), exchange::shell_text(directory)));
   }
   if (!std::filesystem::exists(directory / "echo.toml")) {
     throw InputError(

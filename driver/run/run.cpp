@@ -14,6 +14,7 @@
 #include "driver/stages/file_passage.hpp"
 #include "driver/system/step.hpp"
 #include "driver/units/parameters_file.hpp"
+#include "exchange/shell_text.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
@@ -120,7 +121,8 @@ int run_on(System& system, Passage& passage, const Plan& plan, Output& output,
   print_closing(system, progress, directory);
   if (SignalGuard::caught() == 0) return 0;
   if (system.step < last_step) {
-    fmt::print("stopped by a signal; go on with: tanktread run --resume {}\n", directory.string());
+    fmt::print("stopped by a signal; go on with: tanktread run --resume {}\n",
+               exchange::shell_text(directory));
   }
   return 128 + SignalGuard::caught();
 }
@@ -139,6 +141,13 @@ Case read_echo(const std::filesystem::path& directory, std::optional<double> she
         directory.string()));
   }
   return read_case(echo, assignments);
+}
+
+/// Memory that a state of the fluid takes.
+double bytes_of(const fluid::State& state) {
+  std::size_t n_values = 0;
+  for (const auto& array : state.arrays) n_values += array.values.size();
+  return static_cast<double>(n_values * sizeof(double));
 }
 
 /// Whether there is anything left to do. @throws InputError for an end that cannot be reached from the
@@ -182,11 +191,10 @@ int run_resumed(const std::filesystem::path& directory, std::optional<double> sh
   const auto the_case = read_echo(directory, shear_time, threads);
   const DirectoryLock lock(directory);
   auto checkpoint = read_last_checkpoint(directory);
-  const auto plan = make_plan(the_case, checkpoint.references);
+  const auto plan = make_plan(the_case, checkpoint.references, bytes_of(checkpoint.fluid));
   fmt::print("{}resuming from {}\n", plan.echo, checkpoint.folder.string());
   const auto last_step = last_step_of(the_case, plan.parameters);
-  if (!goes_on(checkpoint, last_step, last_step_of(former_case, plan.parameters),
-               the_case.run.shear_time)) {
+  if (!goes_on(checkpoint, last_step, last_step_of(former_case, plan.parameters), the_case.run.shear_time)) {
     if (!packets.record.empty()) {
       throw InputError(
           "--record: the run is at its end, so there is no step to record; extend it with --shear-time");

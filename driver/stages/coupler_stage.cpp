@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "driver/packets/packet_files.hpp"
+#include "driver/program/memory.hpp"
 #include "driver/stages/stage_errors.hpp"
 #include "driver/stages/stages.hpp"
 #include "driver/system/components.hpp"
@@ -10,8 +11,15 @@
 namespace tanktread::driver {
 namespace {
 
+/// For two fields of vectors on the grid: the one, and its copy in a file.
+void require_memory_for_grid(const Case& the_case) {
+  const auto& box = the_case.flow.box;
+  require_memory(2.0 * 3 * sizeof(double) * box[0] * box[1] * box[2], the_case.file.string() + ": flow.box");
+}
+
 void run(const SpreadStage& stage) {
   require_place(stage.out);
+  require_memory_for_grid(stage.the_case);
   const auto file = exchange::read_surface(stage.in);
   const auto surfaces = surfaces_of(file, stage.in.string());
   const auto force = vectors_of(file, "total_force", surfaces, stage.in.string());
@@ -23,6 +31,7 @@ void run(const SpreadStage& stage) {
 
 void run(const InterpolateStage& stage) {
   require_place(stage.out);
+  require_memory_for_grid(stage.the_case);
   const auto file = exchange::read_surface(stage.in);
   const auto surfaces = surfaces_of(file, stage.in.string());
   const auto grid = grid_vectors_of(exchange::read_grid(stage.grid), "velocity", stage.the_case.flow.box,

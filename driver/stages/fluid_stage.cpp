@@ -3,11 +3,13 @@
 #include "driver/packets/fluid_files.hpp"
 #include "driver/packets/packet_files.hpp"
 #include "driver/packets/saved_state.hpp"
+#include "driver/program/memory.hpp"
 #include "driver/stages/stage_errors.hpp"
 #include "driver/stages/stages.hpp"
 #include "driver/system/components.hpp"
 #include "driver/system/phases.hpp"
 #include "exchange/vtk_files.hpp"
+#include "fluid/lattice_boltzmann.hpp"
 
 namespace tanktread::driver {
 namespace {
@@ -43,6 +45,10 @@ void check_places(const FluidStage& stage) {
 
 void run(const FluidStage& stage) {
   check_places(stage);
+  // The lattice, and once more as the state to write.
+  const auto& box = stage.the_case.flow.box;
+  require_memory(2.0 * fluid::lattice_boltzmann_memory_per_node * box[0] * box[1] * box[2],
+                 stage.the_case.file.string() + ": flow.box");
   const auto numbers = flow_parameters(stage.the_case);
   const auto fluid = make_fluid(stage.the_case, numbers);
   if (!stage.state.empty()) restore(*fluid, stage.state);

@@ -7,6 +7,7 @@
 #include "driver/case/case.hpp"
 #include "driver/packets/packet_folder.hpp"
 #include "driver/program/output_directory.hpp"
+#include "exchange/shell_text.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
@@ -52,7 +53,7 @@ ReplayRecord::ReplayRecord(const ReplayOptions& options) : directory_(options.re
     if (!std::filesystem::exists(directory_ / part)) {
       throw InputError(
           fmt::format("{}: holds no {}: not a complete record; make one with tanktread run --record {}",
-                      directory_.string(), part, directory_.string()));
+                      directory_.string(), part, exchange::shell_text(directory_)));
     }
   }
   if (!out_.empty()) require_new_directory("--out", out_);

@@ -31,4 +31,9 @@ Schedule schedule_of(double shear_times, const FlowParameters& parameters) {
   return {std::max<std::int64_t>(1, std::llround(steps))};
 }
 
+std::int64_t times_due(const Schedule& schedule, std::int64_t last_step) {
+  if (schedule.interval == 0) return 0;
+  return 1 + last_step / schedule.interval + (last_step % schedule.interval == 0 ? 0 : 1);
+}
+
 }  // namespace tanktread::driver

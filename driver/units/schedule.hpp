@@ -31,4 +31,7 @@ std::int64_t last_step_of(const Case& the_case, const FlowParameters& parameters
 /// most_steps; 0: never.
 Schedule schedule_of(double shear_times, const FlowParameters& parameters);
 
+/// How often something is written in a run: at step 0, at each step that is due, and at the last; 0: never.
+std::int64_t times_due(const Schedule& schedule, std::int64_t last_step);
+
 }  // namespace tanktread::driver

@@ -1,6 +1,7 @@
 // What the program says to command lines that it cannot use.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <filesystem>
 #include <fstream>
@@ -100,5 +101,49 @@ TEST(CommandLine, AFullOutputDirectoryIsRefusedBeforeThePlan) {
   EXPECT_EQ(ended.exit_code, 2);
   EXPECT_THAT(ended.output, Not(HasSubstr("MLUPS")));
 }
+
+TEST(CommandLine, AMessagesCommandLineIsQuotedForTheShell) {
+  const TemporaryDirectory directory;
+  std::ofstream(directory / "case.toml") << quick_case;
+  const auto output = (directory / "my run").string();
+  ASSERT_EQ(run_program({"run", (directory / "case.toml").string(), "--output", output}).exit_code, 0);
+  const auto again = run_program({"run", (directory / "case.toml").string(), "--output", output});
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_THAT(again.output, HasSubstr("--resume '" + output + "'"));
+  std::filesystem::create_directory(directory / "no record");
+  EXPECT_THAT(run_program({"replay", (directory / "no record").string(), "--only", "fluid"}).output,
+              HasSubstr("--record '" + (directory / "no record").string() + "'"));
+}
+
+TEST(CommandLine, AMeshOfAnotherFormatIsToldTheConversion) {
+  const TemporaryDirectory directory;
+  std::ofstream(directory / "cell.stl") << "solid cell\nendsolid cell\n";
+  std::ofstream(directory / "case.toml") << quick_case;
+  const auto ended =
+      run_program({"run", (directory / "case.toml").string(), "--output", (directory / "output").string(),
+                   "--set", "capsule.0.mesh={file=\"cell.stl\"}"});
+  EXPECT_EQ(ended.exit_code, 2);
+  EXPECT_THAT(ended.output, HasSubstr("is an STL file, not a surface (.vtu); convert it: python3 -m "
+                                      "tanktread_post convert-surface "));
+  EXPECT_FALSE(std::filesystem::exists(directory / "output"));
+}
+
+#ifndef __SANITIZE_ADDRESS__  // which maps more than any limit
+TEST(CommandLine, MemoryThatEndsIsSaidSo) {
+  const TemporaryDirectory directory;
+  std::ofstream(directory / "case.toml") << quick_case;
+  rlimit before{};
+  getrlimit(RLIMIT_AS, &before);
+  // Of addresses, not of what the machine has, so that it shows when the memory is asked for only.
+  const rlimit half_a_gigabyte{500'000'000, before.rlim_max};
+  setrlimit(RLIMIT_AS, &half_a_gigabyte);
+  const auto ended = run_program({"fluid", "--case", (directory / "case.toml").string(), "--set",
+                                  "flow.box=[160, 160, 160]", "--out", (directory / "out.vti").string()});
+  setrlimit(RLIMIT_AS, &before);
+  EXPECT_EQ(ended.exit_code, 3) << ended.output;
+  EXPECT_THAT(ended.output, HasSubstr("the memory is not enough"));
+  EXPECT_THAT(ended.output, Not(HasSubstr("bad_alloc")));
+}
+#endif
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "driver/plan/warnings.hpp"
+#include "driver/plan/warnings_si.hpp"
 #include "tests/unit/case_samples.hpp"
 
 namespace {
@@ -155,6 +156,52 @@ TEST(CaseWarnings, ASpringTooStiffForAnExplicitUpdate) {
   EXPECT_THAT(with("spring_modulus = 0.54, interval = 10"), ElementsAre(HasSubstr("N k_s' = 5.4 is over")));
   EXPECT_THAT(with("spring_modulus = 0.1, boussinesq_dilatational = 100, spring_modulus_dilatational = 8"),
               ElementsAre(AllOf(HasSubstr("N k_d' = 8 is over"), HasSubstr("spring_..._dilatational"))));
+}
+
+TEST(CaseWarnings, CapillaryNumbersThatNoCapsuleHas) {
+  for (const std::string fine : {"1e-4", "0.3", "10"})
+    EXPECT_THAT(warnings_of({"membrane.capillary_number=" + fine}), IsEmpty());
+  EXPECT_THAT(warnings_of({"membrane.capillary_number=0.99e-4"}),
+              ElementsAre(AllOf(HasSubstr("Ca = 9.9e-05 is outside 0.0001 to 10"),
+                                HasSubstr("hardly deforms"), HasSubstr("check membrane.capillary_number"))));
+  EXPECT_THAT(warnings_of({"membrane.capillary_number=452830"}),
+              ElementsAre(AllOf(HasSubstr("Ca = 4.528e+05"), HasSubstr("hardly resists"))));
+}
+
+std::vector<std::string> si_warnings_of(const std::vector<std::string>& assignments) {
+  const auto the_case = parse(si_case, assignments);
+  return si_warnings(the_case, parameters(the_case));
+}
+
+TEST(CaseWarnings, PhysicalValuesThatAreOffByTheirUnit) {
+  EXPECT_THAT(si_warnings_of({}), IsEmpty());
+  EXPECT_THAT(si_warnings_of({"si.membrane_shear_viscosity_N_s_per_m=3e-7"}), IsEmpty());
+  // Each as it would be in another unit: micrometres, mPa s, g/cm^3, uN/m ... Re is kept, so that it alone
+  // warns.
+  const std::vector<std::pair<std::string, std::string>> all = {
+      {"si.radius_m", "4"},
+      {"si.shear_rate_per_s", "1e9"},
+      {"si.viscosity_Pa_s", "1.2e6"},
+      {"si.density_kg_per_m3", "1e-3"},
+      {"si.shear_modulus_N_per_m", "5.3e3"},
+      {"si.membrane_shear_viscosity_N_s_per_m", "300"},
+      {"si.membrane_dilatational_viscosity_N_s_per_m", "1e-20"},
+  };
+  for (const auto& [key, value] : all) {
+    EXPECT_THAT(si_warnings_of({key + "=" + value}),
+                Contains(AllOf(HasSubstr(key + " = "), HasSubstr("check its unit"))))
+        << key;
+  }
+}
+
+TEST(CaseWarnings, ADensityFarFromTheOneGiven) {
+  // The physical Re is 1050 * 1000 * (4e-6)^2/1.2e-3 = 0.014.
+  EXPECT_THAT(si_warnings_of({"flow.reynolds_number=1.39"}), IsEmpty());
+  EXPECT_THAT(si_warnings_of({"flow.reynolds_number=1.41"}),
+              ElementsAre(AllOf(HasSubstr("density of 1.058e+05 kg/m^3, 100.7 times si.density_kg_per_m3"),
+                                HasSubstr("change flow.reynolds_number"))));
+  EXPECT_THAT(si_warnings_of({"flow.reynolds_number=1.41e-4"}), IsEmpty());
+  EXPECT_THAT(si_warnings_of({"flow.reynolds_number=1.39e-4"}), ElementsAre(HasSubstr("0.009929 times")));
 }
 
 }  // namespace

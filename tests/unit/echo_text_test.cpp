@@ -35,10 +35,30 @@ std::string line_of(const std::string& text, const std::string& name) {
   return "";
 }
 
+Cost sample_cost() {
+  Cost cost;
+  cost.memory_bytes = 40e6;
+  cost.files = {{"fluid files", 20, 20, 120e6, 2}, {"checkpoints", 10, 2, 100e6, 1}};
+  cost.mlups = 20;
+  cost.step_seconds = 405;
+  return cost;
+}
+
+TEST(Echo, SaysWhyAndWhatIsNotMeasured) {
+  auto cost = sample_cost();
+  for (auto& files : cost.files) files.seconds = 0;
+  EXPECT_EQ(line_of(echo_of(parse(least_case), cost), "run time"),
+            "run time 6 min 45 s 6 min 45 s of steps + writing, which could not be measured");
+  cost.mlups = 0;
+  cost.breakdown = "step 1: too fast";
+  EXPECT_EQ(line_of(echo_of(parse(least_case), cost), "run time"),
+            "run time not measured the first steps break down: see the warning");
+}
+
 TEST(Echo, SaysWhatFollows) {
   const auto text = echo_of(parse(least_case, {"flow.box=[60, 60, 60]", "capsule.0.position=[30, 30, 30]",
                                                "capsule.0.radius=9.549", "flow.reynolds_number=0.146"}),
-                            {20.0, 405.0, 40e6, 2.5e9}, {1.25});
+                            sample_cost(), {1.25});
   // g = 0.146/6/9.549^2 = 2.66861e-4, U0 = 30 g.
   EXPECT_EQ(line_of(text, "box"), "box 60 x 60 x 60 0.216 million nodes");
   EXPECT_EQ(line_of(text, "shear rate g"), "shear rate g 0.000266861 2 U0/L");
@@ -54,9 +74,14 @@ TEST(Echo, SaysWhatFollows) {
   EXPECT_EQ(line_of(text, "steps a shear time"), "steps a shear time 3747.3 1/g");
   EXPECT_EQ(line_of(text, "steps"), "steps 37473 to shear time 10");
   EXPECT_EQ(line_of(text, "observables"), "observables 501 times, every 75 steps");
-  EXPECT_EQ(line_of(text, "memory"), "memory 40.0 MB about");
-  EXPECT_EQ(line_of(text, "disk"), "disk 2.50 GB about, with two checkpoints");
-  EXPECT_EQ(line_of(text, "run time"), "run time 6 min 45 s 20.0 MLUPS, measured now");
+  EXPECT_EQ(line_of(text, "memory"), "memory 40.0 MB at its peak");
+  EXPECT_EQ(line_of(text, "fluid files"), "fluid files 2.40 GB 20 of 120.0 MB, 40 s to write");
+  EXPECT_EQ(line_of(text, "checkpoints"), "checkpoints 200.0 MB 10 of 100.0 MB, 2 are kept, 10 s to write");
+  // Three checkpoints while the last is written.
+  EXPECT_EQ(line_of(text, "disk"), "disk 2.60 GB at the end; at most 2.70 GB");
+  EXPECT_EQ(line_of(text, "run time"),
+            "run time 7 min 35 s 6 min 45 s of steps + 50 s of writing, measured now");
+  EXPECT_EQ(line_of(text, "speed"), "speed 20.0 MLUPS measured now");
 }
 
 TEST(Echo, NamesOnlyWhatTheCaseHas) {

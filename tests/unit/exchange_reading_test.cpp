@@ -114,14 +114,51 @@ TEST_F(Reading, RefusesFilesOfAnotherKind) {
   write_grid(folder_ / "grid.vti", sample_grid());
   write_series(folder_ / "series.pvd", {});
   EXPECT_THAT(error_of([&] { read_surface(folder_ / "grid.vti"); }),
-              HasSubstr("grid.vti: is a VTK file of type ImageData, expected UnstructuredGrid"));
+              HasSubstr("grid.vti: is a grid (.vti), not a surface (.vtu); give a surface"));
   EXPECT_THAT(error_of([&] { read_grid(folder_ / "surface.vtu"); }),
-              HasSubstr("surface.vtu: is a VTK file of type UnstructuredGrid, expected ImageData"));
-  EXPECT_THAT(error_of([&] { read_surface(folder_ / "series.pvd"); }), HasSubstr("of type Collection"));
+              HasSubstr("surface.vtu: is a surface (.vtu), not a grid (.vti); give a grid"));
+  EXPECT_THAT(error_of([&] { read_surface(folder_ / "series.pvd"); }),
+              HasSubstr("series.pvd: is a series (.pvd), not a surface"));
   EXPECT_THAT(error_of([&] { read_series(folder_ / "surface.vtu"); }), HasSubstr("is not a .pvd series"));
   EXPECT_THAT(surface_error("<html></html>"), HasSubstr("not a VTK XML file"));
   EXPECT_THAT(surface_error("<VTKFile></VTKFile>"), HasSubstr("is not a VTK XML file (expected one of type"));
   EXPECT_THAT(surface_error(""), HasSubstr("does not end with </VTKFile>"));
+}
+
+struct Foreign {
+  std::string name, text, said, surface_fix;
+};
+
+TEST_F(Reading, KnowsFilesOfOtherFormatsByNameAndByContent) {
+  const std::string convert = "; convert it: python3 -m tanktread_post convert-surface ";
+  const std::vector<Foreign> all = {
+      {"cell.stl", std::string(84, '\0'), "is an STL file", convert},  // binary, which begins as it likes
+      {"cell.STL", "solid x\nendsolid x\n", "is an STL file", convert},
+      {"named.vtu", "solid x\nendsolid x\n", "is an STL file", "; give it the suffix .stl and convert it: "},
+      {"cell.obj", "v 0 0 0\n", "is an OBJ file", convert},
+      {"cell.ply", "ply\nformat ascii 1.0\n", "is a PLY file", convert},
+      {"cell", "OFF\n4 4 0\n", "is an OFF file", "; give it the suffix .off and convert it: "},
+      {"cell.msh", "$MeshFormat\n", "is a Gmsh file", convert},
+      {"cell.vtk", "# vtk DataFile Version 3.0\n", "is a file in VTK's old format", "; open it in ParaView"},
+      {"cell.vtp", "<VTKFile type=\"PolyData\"></VTKFile>", "is a VTK file of polygons (.vtp)", convert},
+      {"case.toml", "[flow]\n", "is a TOML file", "; give a surface (.vtu)"},
+  };
+  for (const auto& foreign : all) {
+    put_text(folder_ / foreign.name, foreign.text);
+    const auto place = foreign.name + ": " + foreign.said + ", not ";
+    EXPECT_THAT(error_of([&] { read_surface(folder_ / foreign.name, true); }),
+                HasSubstr(place + "a surface (.vtu)" + foreign.surface_fix));
+    EXPECT_THAT(error_of([&] { read_grid(folder_ / foreign.name); }),
+                HasSubstr(place + "a grid (.vti); give a grid (.vti)"));
+    if (foreign.name == "cell.vtp") continue;  // the reader of series speaks of its own type first
+    EXPECT_THAT(error_of([&] { read_series(folder_ / foreign.name); }),
+                HasSubstr(place + "a series (.pvd); give a series (.pvd)"));
+  }
+  // The command stands as a shell takes it.
+  std::filesystem::create_directory(folder_ / "my cells");
+  put_text(folder_ / "my cells/it's.stl", "solid\n");
+  EXPECT_THAT(error_of([&] { read_surface(folder_ / "my cells/it's.stl"); }),
+              AllOf(HasSubstr(R"(my cells/it'\''s.stl' )"), HasSubstr(R"(my cells/it'\''s.vtu' )")));
 }
 
 TEST_F(Reading, RefusesAFileCutAnywhere) {
@@ -207,8 +244,12 @@ TEST_F(Reading, WidensOtherTypesOnlyWhenAsked) {
   PlainSurface surface;
   surface.points_type = "Float32";
   EXPECT_THAT(surface_error(surface.text()),
-              HasSubstr("file.vtu: the array of points is of type float, not double; a "
-                        "packet keeps every bit: write it as Float64"));
+              HasSubstr("file.vtu: the array of points is of type float, not double; a packet keeps every bit"));
+  // The fix that is named is one that a user can give.
+  EXPECT_THAT(surface_error(surface.text()),
+              AllOf(HasSubstr("write it as Float64, in numpy float64, or convert the surface: python3 -m "
+                              "tanktread_post convert-surface "),
+                    HasSubstr("file.vtu "), HasSubstr("file-double.vtu")));
   EXPECT_EQ(surface_error(surface.text(), true), "(no error)");
   EXPECT_EQ(surface_.points, (std::vector<double>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0.5}));
   for (const char* type :

@@ -104,7 +104,7 @@ TEST(Series, RefusesToReadWhatIsNotASeries) {
     return error_of([&] { read_series(file); });
   };
   EXPECT_EQ(error("<Collection/>"), "(no error)");
-  EXPECT_THAT(error("<Collection/>", "ImageData"), HasSubstr("it is of type ImageData, expected Collection"));
+  EXPECT_THAT(error("<Collection/>", "ImageData"), HasSubstr("it is a grid (.vti), not a series (.pvd); give a series"));
   EXPECT_THAT(error(""), HasSubstr("is not a .pvd series"));
   EXPECT_THAT(error("<Collection><DataSet file='a'/></Collection>"),
               HasSubstr("entry 0 lacks its attribute 'timestep'"));

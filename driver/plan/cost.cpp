@@ -1,0 +1,103 @@
+#include "driver/plan/cost.hpp"
+
+#include "driver/units/schedule.hpp"
+#include "fluid/lattice_boltzmann.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+constexpr double kept_checkpoints = 2;
+
+struct Sizes {
+  double grid_nodes, fluid_file_nodes, membrane_nodes = 0, triangles = 0;
+};
+
+double n_nodes(const std::array<int, 3>& box) {
+  return static_cast<double>(box[0]) * box[1] * box[2];
+}
+
+Sizes sizes_of(const Case& the_case, const std::vector<membrane::TriangleMesh>& meshes) {
+  Sizes sizes{n_nodes(the_case.flow.box), n_nodes(the_case.flow.box)};
+  if (the_case.output.fluid_box) {
+    sizes.fluid_file_nodes = 1;
+    for (const auto& range : *the_case.output.fluid_box) sizes.fluid_file_nodes *= range[1] - range[0] + 1;
+  }
+  for (const auto& mesh : meshes) {
+    sizes.membrane_nodes += static_cast<double>(mesh.points.cols());
+    sizes.triangles += static_cast<double>(mesh.triangles.cols());
+  }
+  return sizes;
+}
+
+double sum_over(const std::vector<FilesCost>& files, double (*term)(const FilesCost&)) {
+  double sum = 0;
+  for (const auto& kind : files) sum += term(kind);
+  return sum;
+}
+
+}  // namespace
+
+double Cost::disk_bytes() const {
+  return sum_over(files, [](const FilesCost& kind) { return kind.n_kept * kind.bytes; });
+}
+
+double Cost::disk_peak_bytes() const {
+  return disk_bytes() +
+         sum_over(files, [](const FilesCost& kind) { return kind.n_written > kind.n_kept ? kind.bytes : 0; });
+}
+
+double Cost::write_seconds() const {
+  return sum_over(files, [](const FilesCost& kind) { return kind.n_written * kind.seconds; });
+}
+
+double memory_needed_bytes(const Case& the_case, const std::vector<membrane::TriangleMesh>& meshes) {
+  // Program and libraries; a membrane node with its two triangles, at work and in a file; their history.
+  constexpr double program = 20e6, node = 1500, node_history = 500;
+  double bytes = program + 2 * fluid::lattice_boltzmann_memory_per_node * n_nodes(the_case.flow.box);
+  for (std::size_t k = 0; k < meshes.size(); ++k) {
+    const bool has_history = the_case.capsules[k].membrane.viscous.scheme != "none";
+    bytes += (node + (has_history ? node_history : 0)) * static_cast<double>(meshes[k].points.cols());
+  }
+  return bytes;
+}
+
+Cost predict_cost(const Case& the_case, const Parameters& parameters,
+                  const std::vector<membrane::TriangleMesh>& meshes, const Probe& probe) {
+  const auto sizes = sizes_of(the_case, meshes);
+  const auto last_step = last_step_of(the_case, parameters);
+  const auto times = [&](double every) {
+    return static_cast<double>(times_due(schedule_of(every, parameters), last_step));
+  };
+  constexpr double fluid_record = 7 * 8, node_record = (3 + 9) * 8, triangle_record = (22 + 3 + 1) * 8 + 1;
+  // A checkpoint has the membrane's record, reference positions, and of a triangle its normal and viscous
+  // history.
+  constexpr double checkpoint_node = node_record + 3 * 8, checkpoint_triangle = triangle_record + (3 + 9) * 8;
+  constexpr double observables_row = 300;
+
+  const double fluid_bytes = fluid_record * sizes.fluid_file_nodes;
+  const double membrane_bytes = node_record * sizes.membrane_nodes + triangle_record * sizes.triangles;
+  const double lattice_bytes = fluid::lattice_boltzmann_memory_per_node * sizes.grid_nodes;
+  const double checkpoint_bytes =
+      lattice_bytes + checkpoint_node * sizes.membrane_nodes + checkpoint_triangle * sizes.triangles;
+  const double n_rows = times(the_case.output.observables_every),
+               n_membrane = times(the_case.output.membrane_every),
+               n_fluid = times(the_case.output.fluid_every),
+               n_checkpoints = times(the_case.run.checkpoint_every);
+
+  Cost cost;
+  cost.memory_bytes = memory_needed_bytes(the_case, meshes);
+  cost.files = {
+      {"observables", n_rows, n_rows, observables_row * static_cast<double>(meshes.size()), 0},
+      {"membrane files", n_membrane, n_membrane, membrane_bytes, probe.membrane_file_seconds},
+      {"fluid files", n_fluid, n_fluid, fluid_bytes, probe.grid_seconds_per_byte * fluid_bytes},
+      {"checkpoints", n_checkpoints, std::min(kept_checkpoints, n_checkpoints), checkpoint_bytes,
+       probe.membrane_file_seconds + probe.grid_seconds_per_byte * lattice_bytes},
+  };
+  cost.mlups = probe.mlups;
+  cost.breakdown = probe.breakdown;
+  if (probe.mlups > 0)
+    cost.step_seconds = 1e-6 * static_cast<double>(last_step) * sizes.grid_nodes / probe.mlups;
+  return cost;
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,44 @@
+// What a run will cost: memory, disk and time.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "driver/case/case.hpp"
+#include "driver/plan/probe.hpp"
+#include "driver/units/units.hpp"
+#include "membrane/mesh.hpp"
+
+namespace tanktread::driver {
+
+/// Files of one kind.
+struct FilesCost {
+  std::string name;      ///< "membrane files"
+  double n_written = 0;  ///< in the whole run
+  double n_kept = 0;     ///< at its end
+  double bytes = 0;      ///< of one
+  double seconds = 0;    ///< to write one; 0: not measured
+};
+
+/// Estimates from the sizes of a case and from what a probe measured.
+struct Cost {
+  double memory_bytes =
+      0;  ///< at the peak: lattice twice (while a checkpoint is written), membranes, program
+  std::vector<FilesCost> files;
+  double mlups = 0;         ///< million node updates a second; 0: not measured
+  double step_seconds = 0;  ///< of all steps
+  std::string breakdown;    ///< what ended the probe; "": nothing did
+
+  double disk_bytes() const;       ///< at the end
+  double disk_peak_bytes() const;  ///< while the last checkpoint is written beside those that are kept
+  double write_seconds() const;    ///< of all files
+};
+
+/// Memory at the peak of a run, within some 15 % where it is over 20 MB (measured for boxes of 24^3 to 100^3
+/// and meshes of level 2 to 7).
+double memory_needed_bytes(const Case& the_case, const std::vector<membrane::TriangleMesh>& meshes);
+
+Cost predict_cost(const Case& the_case, const Parameters& parameters,
+                  const std::vector<membrane::TriangleMesh>& meshes, const Probe& probe);
+
+}  // namespace tanktread::driver
