@@ -53,7 +53,7 @@ STATES = [
     resumed("a state of the fluid with a bit changed", {FLUID: flipped}, FLUID, "damaged", "cannot be used"),
     resumed("a state of the fluid without its head", {FLUID: lambda before: before[40:]}, FLUID, "cannot be used"),
     resumed("a state of the fluid that is empty", {FLUID: ""}, FLUID, "cut off"),
-    resumed("a state of the fluid that is a surface", {FLUID: surface()}, FLUID, "expected ImageData"),
+    resumed("a state of the fluid that is a surface", {FLUID: surface()}, FLUID, "not a grid (.vti)"),
     resumed("a state of another box", {FLUID: grid("0 1 0 1 0 1")}, CHECKPOINT),
     resumed("a state without the fluid", {}, FLUID, "no such file", remove=(FLUID,)),
     resumed("a state of the membrane cut off", {MEMBRANE: cut}, MEMBRANE, "cut off", "cannot be used"),
@@ -105,7 +105,7 @@ SERIES = [
 COMPARED = [
     Row("two series of nothing", "diff a.pvd b.pvd", ["a.pvd", "cut off"], {"a.pvd": "", "b.pvd": series()}),
     Row("a surface and half of it", "diff a.vtu b.vtu", ["b.vtu", "cut off"], {"a.vtu": surface(), "b.vtu": surface()[:300]}),
-    Row("a surface and a grid of its name", "diff a.vtu b.vtu", ["b.vtu", "expected UnstructuredGrid"], {"a.vtu": surface(), "b.vtu": grid()}),
+    Row("a surface and a grid of its name", "diff a.vtu b.vtu", ["b.vtu", "not a surface (.vtu)"], {"a.vtu": surface(), "b.vtu": grid()}),
     Row("a grid and half of it", "diff a.vti b.vti", ["b.vti", "cut off"], {"a.vti": grid(), "b.vti": grid()[:200]}),
 ]
 
