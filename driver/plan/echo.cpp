@@ -103,35 +103,34 @@ void put_run(EchoTable& table, const Subject& subject) {
 }
 
 void put_files(EchoTable& table, const FilesCost& files) {
-  const auto kept = files.n_kept < files.n_written ? fmt::format(", {:.0f} are kept", files.n_kept) : "";
   constexpr double worth_saying = 0.5;
-  const auto time = files.n_written * files.seconds >= worth_saying
-                        ? fmt::format(", {} to write", duration_text(files.n_written * files.seconds))
-                        : "";
+  const double seconds = files.n_written * files.seconds;
   table.row(files.name, bytes_text(files.n_kept * files.bytes), "",
-            fmt::format("{:.0f} of {}{}{}", files.n_written, bytes_text(files.bytes), kept, time),
+            fmt::format("{:.0f} of {}{}", files.n_written, bytes_text(files.bytes),
+                        seconds >= worth_saying ? " in " + duration_text(seconds) : ""),
             files.n_written > 0);
 }
 
+/// Notes are short: with an SI column 39 letters are left for them.
 void put_cost(EchoTable& table, const Cost& cost, bool with_program) {
   table.section("cost, estimated");
   table.row("memory", bytes_text(cost.memory_bytes), "", "at its peak", cost.memory_bytes > 0);
   for (const auto& files : cost.files) put_files(table, files);
   table.row("disk", bytes_text(cost.disk_bytes()), "",
-            fmt::format("at the end; at most {}", bytes_text(cost.disk_peak_bytes())), cost.disk_bytes() > 0);
+            fmt::format("with 2 checkpoints; at most {}", bytes_text(cost.disk_peak_bytes())),
+            cost.disk_bytes() > 0);
   if (cost.mlups == 0) {
     table.row("run time", "not measured", "",
               with_program             ? "a program has its own time: the run will tell"
               : cost.breakdown.empty() ? ""
-                                       : "the first steps break down: see the warning");
+                                       : "the first steps break down: see warning");
     return;
   }
   const auto writing = cost.write_seconds();
   table.row("run time", duration_text(cost.step_seconds + writing), "",
-            fmt::format("{} of steps + {}", duration_text(cost.step_seconds),
-                        writing > 0 ? duration_text(writing) + " of writing, measured now"
-                                    : "writing, which could not be measured"));
-  table.row("speed", fmt::format("{:.1f} MLUPS", cost.mlups), "", "measured now");
+            fmt::format("steps {}, writing {}", duration_text(cost.step_seconds),
+                        writing > 0 ? duration_text(writing) : "not measured"));
+  table.row("speed", fmt::format("{:.1f} MLUPS", cost.mlups), "", "measured now, as the time to write");
 }
 
 }  // namespace
