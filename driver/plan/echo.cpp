@@ -105,7 +105,7 @@ void put_run(EchoTable& table, const Subject& subject) {
 void put_files(EchoTable& table, const FilesCost& files) {
   constexpr double worth_saying = 0.5;
   const double seconds = files.n_written * files.seconds;
-  table.row(files.name, bytes_text(files.n_kept * files.bytes), "",
+  table.row("size of " + files.name, bytes_text(files.n_kept * files.bytes), "",
             fmt::format("{:.0f} of {}{}", files.n_written, bytes_text(files.bytes),
                         seconds >= worth_saying ? " in " + duration_text(seconds) : ""),
             files.n_written > 0);

@@ -85,8 +85,8 @@ TEST(Echo, SaysWhatFollows) {
   EXPECT_EQ(line_of(text, "steps"), "steps 37473 to shear time 10");
   EXPECT_EQ(line_of(text, "observables"), "observables 501 times, every 75 steps");
   EXPECT_EQ(line_of(text, "memory"), "memory 40.0 MB at its peak");
-  EXPECT_EQ(line_of(text, "fluid files"), "fluid files 2.40 GB 20 of 120.0 MB in 40 s");
-  EXPECT_EQ(line_of(text, "checkpoints"), "checkpoints 200.0 MB 10 of 100.0 MB in 10 s");
+  EXPECT_EQ(line_of(text, "size of fluid files"), "size of fluid files 2.40 GB 20 of 120.0 MB in 40 s");
+  EXPECT_EQ(line_of(text, "size of checkpoints"), "size of checkpoints 200.0 MB 10 of 100.0 MB in 10 s");
   // Three checkpoints while the last is written.
   EXPECT_EQ(line_of(text, "disk"), "disk 2.60 GB with 2 checkpoints; at most 2.70 GB");
   EXPECT_EQ(line_of(text, "run time"), "run time 7 min 35 s steps 6 min 45 s, writing 50 s");
