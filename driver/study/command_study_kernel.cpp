@@ -12,7 +12,8 @@ void add_kernel_study(CLI::App& study, int& exit_code) {
   auto file = std::make_shared<std::string>();
   command->add_option("--kernel", kernel->kernel, names_text("Discrete delta", kernel_names()))
       ->capture_default_str();
-  command->add_option("--points", kernel->points, "Distances a grid step, an even number")
+  add_number(*command, "--points", kernel->points, "Distances a grid step, an even number",
+             between(2, KernelStudy::most_points))
       ->capture_default_str();
   add_file_option(*command, *file);
   command->callback([=, &exit_code] {
