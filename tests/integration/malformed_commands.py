@@ -72,8 +72,8 @@ NUMBERS = [
 WRONG_FILES = [
     Row("a record below a file", RUN + " --record case.toml/x", ["--record case.toml/x", "is no directory"]),
     Row("an output below a file", "run case.toml --output case.toml/x", ["case.toml/x"]),
-    Row("a case for a surface", "membrane --case case.toml --in case.toml --out x.vtu", ["case.toml", "not a VTK XML file"]),
-    Row("a case for a mesh", "mesh info case.toml", ["case.toml", "not a VTK XML file"]),
+    Row("a case for a surface", "membrane --case case.toml --in case.toml --out x.vtu", ["case.toml", "is a TOML file, not a surface (.vtu)"]),
+    Row("a case for a mesh", "mesh info case.toml", ["case.toml", "is a TOML file, not a surface (.vtu)"]),
     Row("a surface for a case", "run a.vtu --output new", ["a.vtu:1: not valid TOML"], {"a.vtu": surface()}),
     Row("a motion into a file", "membrane --case case.toml --motion twist --out case.toml", ["--out case.toml", "is no directory"]),
     Row("a replay of a run", "replay out --only fluid", ["out: holds no begin"], run=True),
