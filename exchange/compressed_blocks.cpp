@@ -117,11 +117,10 @@ class BlockCheck {
   /// At least the first `n` bytes of an array, or all that the file has.
   std::string beginning_of(vtkXMLDataElement& array, std::size_t n) {
     const auto n_digits = 4 * ((n + 2) / 3);
-    if (attribute_of(array, "format") != "appended")
+    long long offset = 0;  // whoever has one is appended, for VTK, whatever its format is said to be
+    if (array.GetScalarAttribute("offset", offset) != 1)
       return from_base64(bytes_at(stream_, position_of_text(stream_, array), n_digits));
-    long long offset = 0;
-    if (array.GetScalarAttribute("offset", offset) != 1 || offset < 0) return "";
-    if (offset > static_cast<long long>(n_bytes_)) return "";
+    if (offset < 0 || offset > static_cast<long long>(n_bytes_)) return "";
     return is_raw_ ? bytes_at(stream_, appended_ + offset, n)
                    : from_base64(bytes_at(stream_, appended_ + offset, n_digits));
   }

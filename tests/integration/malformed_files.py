@@ -73,6 +73,13 @@ def compressed(n_blocks=1, length=8 * 4 * 250_000, packed_length=None):
     return changed(changed(others, "<PointData>", "<PointData>" + data), "header_type", 'compressor="vtkZLibDataCompressor" header_type')
 
 
+def appended(text):
+    """The array of zeros behind all others, and its format not said: VTK goes by the offset."""
+    found = re.search(r'Name="zeros" (.*) format="binary">(.*)</DataArray>', text)
+    text = text.replace(found.group(0), f'Name="zeros" {found.group(1)} offset="0"></DataArray>')
+    return text.replace("</VTKFile>", f'<AppendedData encoding="base64">\n_{found.group(2)}</AppendedData>\n</VTKFile>')
+
+
 PROMISES = [
     mesh("a promise of 10^12 points", surface(n_points=10**12), "promises"),
     mesh("a promise of 10^30 points", surface(n_points=10**30), "NumberOfPoints"),
@@ -85,6 +92,7 @@ PROMISES = [
     mesh("a promise of 10^5 compressed blocks", compressed(n_blocks=10**5), "array 'zeros' is said to be of 100000 compressed blocks"),
     # 100096, whose first digit in base64 is zero, which is A and for VTK an equals sign too.
     mesh("a promise that begins with =", re.sub(">AIcBA", ">=IcBA", compressed(n_blocks=100096)), "said to be of 100096 compressed blocks"),
+    mesh("a promise behind all arrays", appended(compressed(n_blocks=10**5)), "said to be of 100000 compressed blocks"),
     mesh("a promise of a block of 10^9 bytes", compressed(length=10**9), "array 'zeros' is said to be of 1 compressed blocks of 1000000000 bytes"),
     mesh("a promise of a packed block of 10^6 bytes", compressed(packed_length=10**6), "array 'zeros' is said to be of a compressed block that takes 1000000"),
     mesh("a promise of no components", surface(point_data=array("a", [1, 2, 3, 4], 0)), "NumberOfComponents"),
@@ -174,6 +182,7 @@ def in_two_pieces():
 ACCEPTED = [
     Row("a mesh", "mesh info cell.vtu", [], {"cell.vtu": GOOD}),
     Row("a mesh that is compressed", "mesh info cell.vtu", [], {"cell.vtu": compressed()}),
+    Row("a mesh that is compressed and appended", "mesh info cell.vtu", [], {"cell.vtu": appended(compressed())}),
     Row("a packet", "coupler spread --case case.toml --in a.vtu --out x.vti", [], {"a.vtu": INSIDE}),
     Row("a grid", "coupler interpolate --case case.toml --in a.vtu --grid g.vti --out x.vtu", [], {"a.vtu": INSIDE, "g.vti": grid(point_data=VELOCITY)}),
     Row("a grid in two pieces", "coupler interpolate --case case.toml --in a.vtu --grid g.vti --out x.vtu", [], {"a.vtu": INSIDE, "g.vti": in_two_pieces()}),
