@@ -1,6 +1,7 @@
 # Tests of driver; included by tests/CMakeLists.txt when the component is built.
 find_package(tomlplusplus REQUIRED)
-tanktread_test(run_test SOURCES integration/run_test.cpp integration/run_series_test.cpp integration/broken_run_test.cpp integration/program_test.cpp
+tanktread_test(run_test SOURCES integration/run_test.cpp integration/run_series_test.cpp integration/broken_run_test.cpp
+  integration/resume_test.cpp integration/resume_refusal_test.cpp integration/program_test.cpp
   integration/command_line_test.cpp integration/program.cpp LIBRARIES tanktread::exchange)
 target_compile_definitions(run_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
 add_dependencies(run_test tanktread)
@@ -11,7 +12,7 @@ add_dependencies(diff_test tanktread)
 tanktread_test(driver_test SOURCES unit/case_schema_test.cpp unit/case_errors_test.cpp unit/case_bounds_test.cpp
   unit/number_option_test.cpp unit/schedule_test.cpp unit/memory_test.cpp unit/cost_test.cpp
   unit/case_geometry_test.cpp unit/case_key_depth_test.cpp unit/case_set_test.cpp unit/case_round_trip_test.cpp unit/case_warnings_test.cpp
-  unit/case_programs_test.cpp unit/child_process_test.cpp
+  unit/case_programs_test.cpp unit/case_difference_test.cpp unit/child_process_test.cpp
   unit/units_parameters_test.cpp unit/units_si_test.cpp unit/parameters_file_test.cpp unit/echo_text_test.cpp unit/output_directory_test.cpp
   integration/step_test.cpp integration/program.cpp LIBRARIES tanktread_driver tomlplusplus::tomlplusplus)
 target_compile_definitions(driver_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
@@ -20,7 +21,8 @@ set_source_files_properties(unit/case_schema_test.cpp PROPERTIES
   COMPILE_DEFINITIONS TANKTREAD_SOURCE="${PROJECT_SOURCE_DIR}")
 tanktread_test(study_test SOURCES verification/study_maxwell_test.cpp verification/study_noise_test.cpp verification/study_kernel_test.cpp
   verification/study_twist_test.cpp LIBRARIES tanktread_driver)
-tanktread_test(stages_test SOURCES integration/stages_test.cpp integration/replay_test.cpp integration/program.cpp
+tanktread_test(stages_test SOURCES integration/stages_test.cpp integration/replay_test.cpp
+  integration/mesh_file_test.cpp integration/program.cpp
   LIBRARIES tanktread_driver)
 target_compile_definitions(stages_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
 add_dependencies(stages_test tanktread)

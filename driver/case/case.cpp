@@ -66,7 +66,7 @@ void find_mesh_files(Case& the_case, const std::filesystem::path& directory) {
 }  // namespace
 
 Case parse_case(const std::string& text, const std::string& name, const std::filesystem::path& directory,
-                const std::vector<std::string>& assignments) {
+                const std::vector<std::string>& assignments, const FilesUsed& used) {
   CaseReader reader(text, name, assignments);
   auto the_case = case_of(reader);
   the_case.file = directory / std::filesystem::path(name).filename();
@@ -74,7 +74,8 @@ Case parse_case(const std::string& text, const std::string& name, const std::fil
   find_program_files(the_case, directory);
   check_presence(reader, the_case);
   check_consistency(reader, the_case);
-  check_programs(reader, the_case);
+  if (used.meshes) check_mesh_files(reader, the_case);
+  check_programs(reader, the_case, used);
   // What follows compares and divides numbers, each of which must be right by itself first.
   if (!reader.has_problems()) check_geometry(reader, the_case);
   reader.finish();
@@ -82,7 +83,8 @@ Case parse_case(const std::string& text, const std::string& name, const std::fil
   return the_case;
 }
 
-Case read_case(const std::filesystem::path& file, const std::vector<std::string>& assignments) {
+Case read_case(const std::filesystem::path& file, const std::vector<std::string>& assignments,
+               const FilesUsed& used) {
   std::ifstream stream(file, std::ios::binary);
   if (!std::filesystem::is_regular_file(file) || !stream) {
     throw InputError(fmt::format(
@@ -90,7 +92,8 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
   }
   std::ostringstream text;
   text << stream.rdbuf();
-  return parse_case(text.str(), file.string(), std::filesystem::absolute(file).parent_path(), assignments);
+  return parse_case(text.str(), file.string(), std::filesystem::absolute(file).parent_path(), assignments,
+                    used);
 }
 
 }  // namespace tanktread::driver

@@ -69,6 +69,8 @@ struct MeshCase {
   int level = 3;
   std::string file;  ///< a .vtu instead of a shape, absolute; scaled to `radius` by its volume; "": none
 
+  std::string file_hash;  ///< of the points and triangles in `file` (geometry_hash); "": not known, not asked
+
   bool operator==(const MeshCase&) const = default;
 };
 
@@ -135,15 +137,23 @@ struct Case {
   bool operator==(const Case&) const = default;
 };
 
+/// What of the files and programs that a case names is going to be used. Only that must be there.
+struct FilesUsed {
+  bool meshes = true;
+  bool fluid_program = true;
+  bool membrane_programs = true;
+};
+
 /// Reads a case file, lays the `--set` assignments ("dotted.path=TOML value") over it, checks everything.
 /// @throws InputError that names all problems, a line each with file and line (or the assignment), key,
 /// value, what is allowed and the fix: unknown keys ("did you mean"), wrong types, values out of range,
 /// contradictory or missing keys, a syntax error, a missing file
-Case read_case(const std::filesystem::path& file, const std::vector<std::string>& assignments = {});
+Case read_case(const std::filesystem::path& file, const std::vector<std::string>& assignments = {},
+               const FilesUsed& used = {});
 
 /// The same from text; `name` stands for the file in messages, relative paths are taken from `directory`.
 Case parse_case(const std::string& text, const std::string& name, const std::filesystem::path& directory,
-                const std::vector<std::string>& assignments = {});
+                const std::vector<std::string>& assignments = {}, const FilesUsed& used = {});
 
 /// The case as TOML with every key resolved: itself a valid case that reproduces the run. Read back (with the
 /// same file name and directory) it equals the case, to the last bit.

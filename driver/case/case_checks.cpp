@@ -110,11 +110,6 @@ void check_viscous(CaseReader& reader, const Case& the_case, std::size_t capsule
 void check_capsule(CaseReader& reader, const Case& the_case, std::size_t number) {
   const auto& capsule = the_case.capsules[number];
   const auto own = fmt::format("capsule.{}.", number);
-  if (!capsule.mesh.file.empty() && !std::filesystem::is_regular_file(capsule.mesh.file)) {
-    reader.problem(own + "mesh.file", fmt::format("there is no file {}; a relative path starts at the case "
-                                                  "file's folder",
-                                                  capsule.mesh.file));
-  }
   if (capsule.viscosity_ratio != 1.0) {
     const auto ratio = own + "viscosity_ratio";
     reader.problem(reader.has(ratio) ? ratio : "flow.viscosity_ratio",
@@ -173,6 +168,20 @@ void check_presence(CaseReader& reader, const Case& the_case) {
       check_missing(reader, key, the_case, 0);
       check_objection(reader, key, the_case, 0);
     }
+  }
+}
+
+void check_mesh_files(CaseReader& reader, const Case& the_case) {
+  for (std::size_t k = 0; k < the_case.capsules.size(); ++k) {
+    const auto& mesh = the_case.capsules[k].mesh;
+    if (mesh.file.empty() || std::filesystem::is_regular_file(mesh.file)) continue;
+    reader.problem(
+        fmt::format("capsule.{}.mesh.file", k),
+        fmt::format(
+            "there is no file {}; {}", mesh.file,
+            mesh.file_hash.empty()
+                ? "a relative path starts at the case file's folder"
+                : "if it was moved, give its new path: what it holds is held against mesh.file_hash"));
   }
 }
 

@@ -8,8 +8,11 @@ namespace tanktread::driver {
 /// Keys that must not be absent, and those that have no place in such a case (Key::objection).
 void check_presence(CaseReader& reader, const Case& the_case);
 
-/// Flow, membranes, [si], mesh files: what goes together.
+/// Flow, membranes, [si]: what goes together.
 void check_consistency(CaseReader& reader, const Case& the_case);
+
+/// The mesh files are there.
+void check_mesh_files(CaseReader& reader, const Case& the_case);
 
 /// Capsules in the box, clear of walls, of each other and of their periodic images; fluid_box in the box. The
 /// numbers must be right by themselves.

@@ -74,10 +74,10 @@ void find_program_files(Case& the_case, const fs::path& directory) {
   if (!packets.empty()) packets = fs::absolute(directory / packets).lexically_normal().string();
 }
 
-void check_programs(CaseReader& reader, const Case& the_case) {
-  check_program(reader, "flow.command", the_case.flow.command);
+void check_programs(CaseReader& reader, const Case& the_case, const FilesUsed& used) {
+  if (used.fluid_program) check_program(reader, "flow.command", the_case.flow.command);
   if (!the_case.flow.command.empty()) check_viscosity(reader, the_case);
-  for (std::size_t k = 0; k < the_case.capsules.size(); ++k) {
+  for (std::size_t k = 0; used.membrane_programs && k < the_case.capsules.size(); ++k) {
     check_program(reader, membrane_path(reader, "command", k), the_case.capsules[k].membrane.command);
   }
 }

@@ -16,9 +16,9 @@ bool has_program(const Case& the_case);
 /// case file's folder, and keeps them absolute, so that an echo of the case can lie anywhere.
 void find_program_files(Case& the_case, const std::filesystem::path& directory);
 
-/// Each command begins with a program that can be run: a path, or a name that PATH finds. A fluid that is a
-/// program has one viscosity.
-void check_programs(CaseReader& reader, const Case& the_case);
+/// Each command that is used begins with a program that can be run: a path, or a name that PATH finds. A
+/// fluid that is a program has one viscosity.
+void check_programs(CaseReader& reader, const Case& the_case, const FilesUsed& used);
 
 /// The command for a person, paths without their folders: "python3 my_membrane.py".
 std::string short_text(const std::vector<std::string>& command);

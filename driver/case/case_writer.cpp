@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "driver/case/case.hpp"
+#include "driver/case/said_value.hpp"
 #include "driver/case/schema.hpp"
 #include "driver/case/toml_line.hpp"
 
@@ -23,22 +24,11 @@ Heading heading_of(const Key& key) {
 
 void put_key(std::string& toml, const std::string& name, const Key& key, const Case& the_case,
              std::size_t capsule) {
-  const auto value = key.get(the_case, capsule);
+  const auto value = said_value(key, the_case, capsule);
   if (!is_given(value)) return;
-  if (key.objection != nullptr && !key.objection(the_case, capsule).empty()) return;
   auto comment = key.meaning;
   if (!key.unit.empty()) comment = fmt::format("{}; {}", key.unit, comment);
   toml += toml_line(name, value, comment);
-}
-
-/// Whether a key of [membrane] has a place in each capsule, with the same value: it is then written once, so
-/// that changing it there changes all capsules.
-bool is_shared(const Key& key, const Case& the_case) {
-  for (std::size_t k = 0; k < the_case.capsules.size(); ++k) {
-    if (key.get(the_case, k) != key.get(the_case, 0)) return false;
-    if (key.objection != nullptr && !key.objection(the_case, k).empty()) return false;
-  }
-  return true;
 }
 
 /// Whether a capsule's key says what [membrane] or [flow] says already.

@@ -21,6 +21,9 @@ struct Key {
   std::vector<std::string> choices;  ///< of a text; empty: any
   std::string unit;                  ///< "" for a pure number or a word
   std::string meaning;               ///< one line
+  /// A run may go on from a checkpoint with another value: its state does not depend on the key. By itself a
+  /// key may not.
+  bool may_change_on_resume = false;
 
   /// The member's value; nothing if it has none.
   Value (*get)(const Case& the_case, std::size_t capsule) = nullptr;

@@ -54,6 +54,11 @@ std::string refuse_no_file(const Case& the_case, std::size_t capsule) {
   return "is empty; give the path of a .vtu, or mesh.shape in its place";
 }
 
+std::string refuse_hash(const Case& the_case, std::size_t capsule) {
+  if (!the_case.capsules[capsule].mesh.file.empty()) return "";
+  return "is of mesh.file, which is not given; remove it";
+}
+
 std::string refuse_beside_si(const Case& the_case, std::size_t) {
   if (!the_case.si) return "";
   return "contradicts [si], from which it follows; remove one of them";
@@ -140,7 +145,7 @@ std::vector<Key> viscous_keys(const std::string& prefix) {
 std::vector<Key> title_and_flow_keys() {
   using F = FlowCase;
   return {
-      key<InCase<&Case::title>>("title", "", "what the case is"),
+      key<InCase<&Case::title>>("title", "", "what the case is").free_on_resume(),
       key<InFlow<&F::kind>>("flow.kind", "",
                             "walls that move with -+U0; walls at rest and a body force; no walls")
           .one_of({"shear", "poiseuille", "periodic"}),
@@ -203,7 +208,14 @@ std::vector<Key> capsule_keys() {
           "capsule.N.mesh.file", "",
           "a closed surface (.vtu) instead, scaled to the radius by its volume; path from the case file")
           .preset("")
-          .unless(refuse_no_file),
+          .unless(refuse_no_file)
+          .free_on_resume(),
+      key<InCapsule<&C::mesh, &MeshCase::file_hash>>(
+          "capsule.N.mesh.file_hash", "",
+          "of the points and triangles in mesh.file (`tanktread mesh info` says it): a file with another is "
+          "refused")
+          .preset("")
+          .unless(refuse_hash),
       key<InCapsule<&C::viscosity_ratio>>("capsule.N.viscosity_ratio", "", "lambda of this capsule")
           .above(0)
           .preset("flow.viscosity_ratio"),
@@ -251,34 +263,43 @@ std::vector<Key> coupler_run_output_keys() {
           "coupler.tangential_correction", "",
           "gives nodes back the velocity that smoothing takes off them along the membrane"),
       key<InCase<&Case::run, &RunCase::shear_time>>("run.shear_time", "shear times", "end of the run")
-          .from(0),
+          .from(0)
+          .free_on_resume(),
       key<InCase<&Case::run, &RunCase::threads>>("run.threads", "", "OpenMP threads; 0: all")
           .from(0)
-          .to(1024),
+          .to(1024)
+          .free_on_resume(),
       key<InCase<&Case::run, &RunCase::checkpoint_every>>("run.checkpoint_every", "shear times",
                                                           "between checkpoints; the last two are kept")
-          .above(0),
+          .above(0)
+          .free_on_resume(),
       key<InCase<&Case::run, &RunCase::command_time_limit>>(
           "run.command_time_limit", "s", "of a program for an answer; after it the run stops")
-          .above(0),
+          .above(0)
+          .free_on_resume(),
       key<InCase<&Case::run, &RunCase::command_directory>>(
           "run.command_directory", "",
-          "where packets for programs go; path from the case file; \"\": in memory, removed at the end"),
+          "where packets for programs go; path from the case file; \"\": in memory, removed at the end")
+          .free_on_resume(),
       key<InCase<&Case::output, &O::observables_every>>("output.observables_every", "shear times",
                                                         "between rows of observables.csv; 0: never")
-          .from(0),
+          .from(0)
+          .free_on_resume(),
       key<InCase<&Case::output, &O::membrane_every>>("output.membrane_every", "shear times",
                                                      "between membrane files; 0: never")
-          .from(0),
+          .from(0)
+          .free_on_resume(),
       key<InCase<&Case::output, &O::fluid_every>>("output.fluid_every", "shear times",
                                                   "between fluid files; 0: never")
-          .from(0),
+          .from(0)
+          .free_on_resume(),
       key<InCase<&Case::output, &O::fluid_box>>(
           "output.fluid_box", "nodes",
           "[[x0, x1], [y0, y1], [z0, z1]]: first and last node of fluid files (a slice: x0 = x1)")
           .from(0)
           .to(most_nodes_along_axis - 1)
-          .preset("the whole box"),
+          .preset("the whole box")
+          .free_on_resume(),
   };
 }
 

@@ -93,6 +93,7 @@ struct KeyMaker {
   KeyMaker unless(std::string (*objection)(const Case&, std::size_t)) {
     return key.objection = objection, std::move(*this);
   }
+  KeyMaker free_on_resume() { return key.may_change_on_resume = true, std::move(*this); }
   operator Key() && { return std::move(key); }
 };
 

@@ -38,6 +38,16 @@ std::vector<exchange::Array> program_arrays_of(const exchange::SurfacePacket& fi
 
 }  // namespace
 
+std::optional<Case> read_state_case(const std::filesystem::path& folder) {
+  const auto file = folder / case_state_file;
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  try {
+    return read_case(file, {}, {false, false, false});
+  } catch (const InputError& error) {
+    throw exchange::FileError(error.what());
+  }
+}
+
 SavedState read_state(const std::filesystem::path& folder) {
   SavedState state;
   state.folder = folder;
@@ -45,6 +55,7 @@ SavedState read_state(const std::filesystem::path& folder) {
   state.fluid = state_of(exchange::read_grid(fluid), fluid.string());
   state.step = state.fluid.step;
   read_membranes(folder / membrane_state_file, state);
+  state.the_case = read_state_case(folder);
   return state;
 }
 

@@ -1,11 +1,13 @@
-// The whole state of a case between two steps, read from a folder of two files. It takes no component to read
-// one.
+// The whole state of a case between two steps, read from a folder of three files. It takes no component to
+// read one.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "driver/case/case.hpp"
 #include "driver/packets/membrane_state.hpp"
 #include "driver/packets/packets.hpp"
 #include "exchange/packet.hpp"
@@ -15,22 +17,26 @@
 namespace tanktread::driver {
 
 /// The files in such a folder: the solver's arrays (state_file, fluid_files.hpp), and all membranes with what
-/// they need to go on (membrane_file, add_state, membrane_files.hpp).
+/// they need to go on (membrane_file, add_state, membrane_files.hpp), and the case that made it (to_toml).
 inline constexpr const char* fluid_state_file = "fluid.vti";
 inline constexpr const char* membrane_state_file = "membrane.vtu";
+inline constexpr const char* case_state_file = "echo.toml";
 
 /// A state, read back.
 struct SavedState {
   std::filesystem::path folder;
   std::int64_t step = 0;
+  std::optional<Case> the_case;  ///< that made it; none: an earlier version, which did not write it
   std::vector<membrane::TriangleMesh> references;  ///< the stress-free mesh of each capsule
   NodeVectors positions, node_velocity, node_force;
   std::vector<MembraneState> membranes;
   fluid::State fluid;
 };
 
-/// @throws exchange::FileError
+/// What the case names outside (meshes, programs) need not be there. @throws exchange::FileError
 SavedState read_state(const std::filesystem::path& folder);
+/// The case alone that made the state in a folder; none: it holds no case. @throws exchange::FileError
+std::optional<Case> read_state_case(const std::filesystem::path& folder);
 
 /// The state of a solver from its file (state_file). @param name of the file, for messages
 /// @throws exchange::FileError for a later schema version

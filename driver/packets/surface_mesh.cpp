@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "driver/program/errors.hpp"
+#include "exchange/content_hash.hpp"
 
 namespace tanktread::driver {
 
@@ -21,6 +22,13 @@ membrane::TriangleMesh to_mesh(const exchange::SurfacePacket& packet) {
   const auto n_triangles = static_cast<Eigen::Index>(packet.triangles.size() / 3);
   return {to_matrix(packet.points),
           Eigen::Map<const Indices>(packet.triangles.data(), 3, n_triangles).cast<int>()};
+}
+
+std::string geometry_hash(const exchange::SurfacePacket& packet) {
+  exchange::SurfacePacket geometry;
+  geometry.points = packet.points;
+  geometry.triangles = packet.triangles;
+  return fmt::format("{:016x}", exchange::content_hash(geometry));
 }
 
 membrane::MeshReport inspected(const membrane::TriangleMesh& mesh, const std::string& file) {

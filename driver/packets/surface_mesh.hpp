@@ -11,6 +11,11 @@ namespace tanktread::driver {
 exchange::SurfacePacket surface_packet(const membrane::TriangleMesh& mesh);
 membrane::TriangleMesh to_mesh(const exchange::SurfacePacket& packet);
 
+/// A hash of the points and triangles of a surface, without its arrays: 16 hexadecimal digits. What a reader
+/// gives counts and not the file's bytes, so that the same shape written anew (another encoding, single
+/// precision widened) is the same. By exchange::content_hash.
+std::string geometry_hash(const exchange::SurfacePacket& packet);
+
 /// membrane::inspect, whose refusals name the file. @throws InputError
 membrane::MeshReport inspected(const membrane::TriangleMesh& mesh, const std::string& file);
 

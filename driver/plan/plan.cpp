@@ -19,14 +19,24 @@ void require_memory_for(const Case& the_case, const std::vector<membrane::Triang
                  fmt::format("{}: flow.box = [{}, {}, {}]", the_case.file.string(), box[0], box[1], box[2]));
 }
 
+/// The reference meshes, and the hashes of the files that they are made of, so that an echo of the case holds
+/// them.
+void make_meshes(Plan& plan) {
+  for (std::size_t k = 0; k < plan.the_case.capsules.size(); ++k) {
+    auto [mesh, hash] = reference_mesh(plan.the_case, k);
+    plan.meshes.push_back(std::move(mesh));
+    plan.the_case.capsules[k].mesh.file_hash = std::move(hash);
+  }
+}
+
 }  // namespace
 
 Plan make_plan(const Case& the_case, std::vector<membrane::TriangleMesh> meshes, double held_bytes) {
   Plan plan;
   plan.the_case = the_case;
   plan.parameters = parameters(the_case);
-  if (meshes.empty()) meshes = reference_meshes(the_case);
   plan.meshes = std::move(meshes);
+  if (plan.meshes.empty()) make_meshes(plan);
   std::vector<double> mean_edges;
   for (const auto& mesh : plan.meshes) mean_edges.push_back(membrane::inspect(mesh).edge_mean);
   require_memory_for(the_case, plan.meshes, held_bytes);

@@ -13,7 +13,7 @@ namespace tanktread::driver {
 
 /// A case with all that follows from it: what `plan` prints and `run` starts from.
 struct Plan {
-  Case the_case;
+  Case the_case;  ///< with the hashes of the mesh files that were read
   Parameters parameters;
   std::vector<membrane::TriangleMesh> meshes;
   Cost cost;

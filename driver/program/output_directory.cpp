@@ -5,6 +5,8 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <regex>
@@ -18,12 +20,11 @@ namespace {
 
 constexpr const char* lock_name = ".lock";
 
-/// A name that only a process that was killed leaves: of exchange's AtomicFile, .NAME.PROCESS-NUMBER.tmp, or
-/// of a checkpoint, .step_STEP.tmp and .step_STEP.old.tmp. Other hidden files are somebody's.
-bool is_temporary(const std::filesystem::path& file) {
-  static const std::regex pattern(R"(\.(.+\.[0-9]+-[0-9]+|step_[0-9]+(\.old)?)\.tmp)");
-  return std::regex_match(file.filename().string(), pattern);
-}
+/// What a run writes, and what is drawn of it. echo.toml last: until it goes, the directory is known for what
+/// it is.
+constexpr std::array names_of_run = {"checkpoints", "packets",         "fluid",           "fluid.pvd",
+                                     "membrane",    "membrane.pvd",    "deformation.png", "inclination.png",
+                                     "capsule.png", "observables.csv", "parameters.toml", "echo.toml"};
 
 /// What a process leaves that was killed before its first file was there counts as nothing.
 bool holds_anything(const std::filesystem::path& directory) {
@@ -97,13 +98,20 @@ void check_output_directory(const std::filesystem::path& directory, bool force) 
   }
 }
 
+bool is_temporary(const std::filesystem::path& file) {
+  static const std::regex pattern(R"(\.(.+\.[0-9]+-[0-9]+|step_[0-9]+(\.old)?)\.tmp)");
+  return std::regex_match(file.filename().string(), pattern);
+}
+
+bool is_place_of_run(const std::filesystem::path& directory, const std::filesystem::path& path) {
+  const auto inside = std::filesystem::weakly_canonical(path).lexically_relative(
+      std::filesystem::weakly_canonical(directory));
+  if (inside.empty() || inside == ".") return inside == ".";
+  return std::ranges::find(names_of_run, inside.begin()->string()) != names_of_run.end();
+}
+
 void remove_earlier_run(const std::filesystem::path& directory) {
-  // echo.toml last: until it goes, the directory is known for what it is.
-  for (const char* name :
-       {"checkpoints", "packets", "fluid", "fluid.pvd", "membrane", "membrane.pvd", "deformation.png",
-        "inclination.png", "capsule.png", "observables.csv", "parameters.toml", "echo.toml"}) {
-    std::filesystem::remove_all(directory / name);
-  }
+  for (const char* name : names_of_run) std::filesystem::remove_all(directory / name);
 }
 
 void remove_temporary_files(const std::filesystem::path& directory) {

@@ -28,8 +28,16 @@ void require_new_directory(const std::string& option, const std::filesystem::pat
 /// @throws InputError
 void check_output_directory(const std::filesystem::path& directory, bool force);
 
+/// Whether a path is the output directory itself, or one of the places where a run writes in it, or below
+/// such a place.
+bool is_place_of_run(const std::filesystem::path& directory, const std::filesystem::path& path);
+
 /// Removes the files of an earlier run, those that tell it is one last. The lock must be held.
 void remove_earlier_run(const std::filesystem::path& directory);
+
+/// A name that only a process that was killed leaves: of exchange's AtomicFile, .NAME.PROCESS-NUMBER.tmp, or
+/// of a checkpoint, .step_STEP.tmp and .step_STEP.old.tmp. Other hidden files are somebody's.
+bool is_temporary(const std::filesystem::path& file);
 
 /// Removes files that a killed process left half written, in the directory, among its checkpoints and its
 /// packets. Other hidden files stay.

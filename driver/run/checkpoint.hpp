@@ -1,28 +1,52 @@
-// Checkpoints: the whole state of a run in a folder of VTK files, from which it goes on bit for bit.
+// Checkpoints: the whole state of a run in a folder of files, from which it goes on bit for bit.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "driver/system/state_folder.hpp"
 
 namespace tanktread::driver {
 
-/// Writes DIR/checkpoints/step_NNNNNNNNNN (under a temporary name, then renamed) and removes all but the last
-/// two. Each is a state folder (write_state).
+/// Writes DIR/checkpoints/step_NNNNNNNNNN (under a temporary name, then renamed; in the place of one of that
+/// step, which may be damaged or of another case) and removes all but the last two, and of those set aside
+/// the ones that it replaces: of its step and before. Each is a state folder (write_state) with the count
+/// of rows.
+/// @param n_rows of observables.csv so far (write_row_count)
 /// @throws exchange::FileError
-void write_checkpoint(const System& system, const std::filesystem::path& directory);
+void write_checkpoint(const System& system, const Case& the_case, std::int64_t n_rows,
+                      const std::filesystem::path& directory);
 
 /// Removes all checkpoints of DIR but the last two: more are there if a process was killed before it had
 /// removed the oldest, which may be there in part.
 void remove_old_checkpoints(const std::filesystem::path& directory);
 
-/// The folders of all checkpoints in DIR, oldest first.
+/// The folders of all checkpoints in DIR, oldest first, without those set aside.
 std::vector<std::filesystem::path> checkpoint_folders(const std::filesystem::path& directory);
 
-/// Reads the last checkpoint of DIR. @throws InputError if there is none, or it is damaged (with the one
-/// before it named)
-SavedState read_last_checkpoint(const std::filesystem::path& directory);
+/// The folder to go on from: the last checkpoint, or that of a step, which may be set aside.
+/// @throws InputError if there is none; it names those that are there
+std::filesystem::path find_checkpoint(const std::filesystem::path& directory,
+                                      std::optional<std::int64_t> step);
+
+/// The folders of all checkpoints in DIR but this one, those set aside too, last step first.
+std::vector<std::filesystem::path> other_checkpoints(const std::filesystem::path& directory,
+                                                     const std::filesystem::path& folder);
+
+/// What a checkpoint holds.
+struct Checkpoint {
+  SavedState state;
+  std::optional<std::int64_t> n_rows;  ///< of observables.csv; none: of an earlier version
+};
+
+/// @throws exchange::FileError if it is damaged
+Checkpoint read_checkpoint(const std::filesystem::path& folder);
+
+/// Makes the checkpoint in this folder the last one of DIR: later ones are set aside as
+/// checkpoints/set_aside_NNNNNNNNNN, until new ones replace them; one that was set aside comes back.
+/// @return where it is now
+std::filesystem::path make_last(const std::filesystem::path& directory, const std::filesystem::path& folder);
 
 }  // namespace tanktread::driver

@@ -18,6 +18,8 @@ struct RunArguments {
   bool force = false;
   double shear_time = 0;
   int threads = 0;
+  std::int64_t from_step = 0;
+  bool accept_gaps = false;
   PacketOptions packets;
 };
 
@@ -82,13 +84,26 @@ void add_run_command(CLI::App& app, int& exit_code) {
                                 find_key("run.shear_time")->range);
   auto* resume = command->add_option("--resume", arguments->resume,
                                      "Go on from the last checkpoint of this output directory");
+  auto* from_step =
+      add_number(*command, "--from-step", arguments->from_step,
+                 "With --resume: from the checkpoint of this step instead; later ones are set aside in "
+                 "DIR/checkpoints until new ones replace them, later output is cut and written anew",
+                 between(0, most_steps))
+          ->needs(resume);
+  command
+      ->add_flag("--accept-gaps", arguments->accept_gaps,
+                 "With --resume: go on though observables.csv lacks rows that were written before the "
+                 "checkpoint")
+      ->needs(resume);
   add_packet_options(*command, arguments->packets);
   resume->excludes(case_file)->excludes(output)->excludes(force)->excludes(set);
   command->callback([=, &exit_code] {
     if (*resume) {
-      exit_code =
-          run_resumed(arguments->resume, *shear_time ? std::optional(arguments->shear_time) : std::nullopt,
-                      *threads ? std::optional(arguments->threads) : std::nullopt, arguments->packets);
+      ResumeOptions options{arguments->resume, {}, {}, {{}, arguments->accept_gaps}, arguments->packets};
+      if (*shear_time) options.shear_time = arguments->shear_time;
+      if (*threads) options.threads = arguments->threads;
+      if (*from_step) options.from.step = arguments->from_step;
+      exit_code = run_resumed(options);
       return;
     }
     if (!*case_file)

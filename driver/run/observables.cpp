@@ -2,10 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <sstream>
-
-#include "exchange/vtk_files.hpp"
 #include "membrane/shape.hpp"
 
 namespace tanktread::driver {
@@ -54,35 +50,6 @@ std::string observables_row(const Observation& o) {
     row += fmt::format(",{:.17g}", value);
   }
   return row + fmt::format(",{},{:.17g},{:.17g},{:.17g}\n", o.capsule, o.x, o.y, o.z);
-}
-
-void truncate_observables(const std::filesystem::path& file, std::int64_t last_step,
-                          const Schedule& schedule) {
-  std::ifstream input(file);
-  std::string line, kept = observables_header();
-  if (!std::getline(input, line) || line + "\n" != kept) {
-    throw exchange::FileError(
-        fmt::format("{}: is missing or has another header; the run cannot go on from its "
-                    "checkpoint without it",
-                    file.string()));
-  }
-  std::int64_t last_kept = -1;
-  while (std::getline(input, line)) {
-    std::int64_t step = -1;
-    // A row without its line end was cut off when the run was killed.
-    if (!(std::istringstream(line) >> step) || input.eof()) break;
-    if (step > last_step || !schedule.due(step)) continue;
-    kept += line + "\n";
-    last_kept = step;
-  }
-  input.close();
-  if (schedule.interval > 0 && last_kept != last_step - last_step % schedule.interval) {
-    throw exchange::FileError(
-        fmt::format("{}: rows up to step {} are missing (the last is of step {}); resume from an "
-                    "older checkpoint by removing the newer one",
-                    file.string(), last_step, last_kept));
-  }
-  exchange::write_text(file, kept);
 }
 
 }  // namespace tanktread::driver

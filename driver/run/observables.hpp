@@ -2,12 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "driver/system/system.hpp"
-#include "driver/units/schedule.hpp"
 
 namespace tanktread::driver {
 
@@ -32,11 +30,5 @@ std::vector<Observation> observe(const System& system, const Case& the_case);
 std::string observables_header();
 /// A row, 17 significant digits, so that a double survives.
 std::string observables_row(const Observation& observation);
-
-/// Keeps of a table the header and the rows up to and with `last_step` that are due by the schedule (the last
-/// row of a finished run need not be), so that a continued run gives the file of an uninterrupted one.
-/// @throws exchange::FileError if the table is missing, or rows of it that the checkpoint has seen
-void truncate_observables(const std::filesystem::path& file, std::int64_t last_step,
-                          const Schedule& schedule);
 
 }  // namespace tanktread::driver

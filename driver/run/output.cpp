@@ -6,12 +6,55 @@
 #include <iterator>
 
 #include "driver/packets/fluid_files.hpp"
+#include "driver/run/observables_table.hpp"
 #include "driver/system/membrane_files.hpp"
 #include "exchange/atomic_file.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
 namespace {
+
+/// Whether a row of this step was due up to the point. What only the end of a run wrote, off the schedule, is
+/// of the point's own step.
+bool was_due(std::int64_t step, const ResumePoint& point) {
+  return step < point.step || (step == point.step && point.schedules.observables.due(step));
+}
+
+/// A table that is not there may be begun anew.
+bool may_be_begun(const std::filesystem::path& table, const ResumePoint& point) {
+  if (std::filesystem::exists(table)) return false;
+  const bool had_none = point.n_rows ? *point.n_rows == 0 : point.schedules.observables.interval == 0;
+  return had_none || point.accept_gaps;
+}
+
+/// @throws exchange::FileError if rows are missing
+void check_rows(const std::filesystem::path& table, const ResumePoint& point) {
+  if (may_be_begun(table, point)) return;
+  auto rows = read_observables(table);
+  std::erase_if(rows, [&](const TableRow& row) { return !was_due(row.step, point); });
+  const auto n_there = static_cast<std::int64_t>(rows.size());
+  const auto last = rows.empty() ? -1 : rows.back().step;
+  const auto interval = point.schedules.observables.interval;
+  const bool is_whole =
+      point.n_rows ? n_there >= *point.n_rows : interval == 0 || last >= point.step - point.step % interval;
+  if (is_whole || point.accept_gaps) return;
+  throw exchange::FileError(
+      fmt::format("{}: holds {}{} rows of those up to step {}{}; put the table back as the run wrote it",
+                  table.string(), n_there, point.n_rows ? fmt::format(" of {}", *point.n_rows) : "",
+                  point.step, last < 0 ? "" : fmt::format(", the last of step {}", last)));
+}
+
+/// Cuts a table back to the point. @return how many rows it then has
+std::int64_t cut_table(const std::filesystem::path& table, const ResumePoint& point, const Schedule& now) {
+  std::vector<TableRow> rows;
+  if (!may_be_begun(table, point)) rows = read_observables(table);
+  // All before the point stays, whatever the schedule has become: nothing that was asked for is lost.
+  std::erase_if(rows, [&](const TableRow& row) {
+    return !was_due(row.step, point) && !(row.step == point.step && now.due(row.step));
+  });
+  write_observables(table, rows);
+  return static_cast<std::int64_t>(rows.size());
+}
 
 /// Tells of a series what is wrong with it. @throws exchange::FileError if it cannot be made anew
 void say_remark(const OutputSeries& series, std::int64_t step, const std::vector<std::int64_t>& kept) {
@@ -21,6 +64,12 @@ void say_remark(const OutputSeries& series, std::int64_t step, const std::vector
 }
 
 }  // namespace
+
+OutputSchedules output_schedules(const Case& the_case, const FlowParameters& parameters) {
+  return {schedule_of(the_case.output.observables_every, parameters),
+          schedule_of(the_case.output.membrane_every, parameters),
+          schedule_of(the_case.output.fluid_every, parameters)};
+}
 
 Output::Output(const Case& the_case, const Parameters& parameters, std::filesystem::path directory)
     : case_(the_case),
@@ -36,13 +85,20 @@ void Output::begin() {
   fluid_.begin();
 }
 
-void Output::resume(std::int64_t step) {
-  const auto membrane = membrane_.steps_kept(step), fluid = fluid_.steps_kept(step);
-  say_remark(membrane_, step, membrane);
-  say_remark(fluid_, step, fluid);
+void Output::check(const ResumePoint& point) const {
+  check_rows(directory_ / "observables.csv", point);
+  membrane_.remark(point.step, membrane_.steps_kept(point.step, point.schedules.membrane));
+  fluid_.remark(point.step, fluid_.steps_kept(point.step, point.schedules.fluid));
+}
+
+void Output::resume(const ResumePoint& point) {
+  const auto membrane = membrane_.steps_kept(point.step, point.schedules.membrane);
+  const auto fluid = fluid_.steps_kept(point.step, point.schedules.fluid);
+  say_remark(membrane_, point.step, membrane);
+  say_remark(fluid_, point.step, fluid);
   std::vector<std::int64_t> times;
   std::ranges::set_union(membrane, fluid, std::back_inserter(times));
-  truncate_observables(directory_ / "observables.csv", step, observables_);
+  n_rows_ = cut_table(directory_ / "observables.csv", point, observables_);
   membrane_.cut(membrane, times, shear_rate_);
   fluid_.cut(fluid, times, shear_rate_);
 }
@@ -59,6 +115,7 @@ std::vector<Observation> Output::write(const System& system, bool last) {
   std::string rows;
   for (const auto& observation : observations) rows += observables_row(observation);
   exchange::append_text(directory_ / "observables.csv", rows);
+  if (observables_.due(system.step)) n_rows_ += static_cast<std::int64_t>(observations.size());
   return observations;
 }
 

@@ -1,13 +1,30 @@
 // The output directory of a run: observables.csv, membrane.pvd, fluid.pvd and their files.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 
 #include "driver/run/observables.hpp"
 #include "driver/run/output_series.hpp"
 #include "driver/system/system.hpp"
 
 namespace tanktread::driver {
+
+/// When each kind of output is due.
+struct OutputSchedules {
+  Schedule observables, membrane, fluid;
+};
+OutputSchedules output_schedules(const Case& the_case, const FlowParameters& parameters);
+
+/// The state that a run goes on from, as far as its output is concerned.
+struct ResumePoint {
+  std::int64_t step = 0;
+  OutputSchedules schedules;  ///< of the run that wrote the state
+  std::optional<std::int64_t>
+      n_rows;                ///< of the table, due up to there; none: not known, told by the schedule
+  bool accept_gaps = false;  ///< rows may be missing
+};
 
 /// Writes what is due, when it is due. Files of a series are named by their step. Both series have an entry
 /// at each time at which a file of either is written (OutputSeries).
@@ -18,10 +35,18 @@ class Output {
   /// Starts new tables and series.
   void begin();
 
-  /// Cuts tables and series back to what the run had written up to `step`; an uninterrupted run with the same
-  /// intervals has the same. A series that cannot be read is made anew from its files, which is said.
-  /// @throws exchange::FileError before anything is changed, if a series names what is not of this run
-  void resume(std::int64_t step);
+  /// Whether the run can go on with its table and series from the point. Writes nothing.
+  /// @throws exchange::FileError if the table cannot be read or lacks rows, or a series names what is not of
+  /// this run
+  void check(const ResumePoint& point) const;
+
+  /// Cuts tables and series back to what the run had written up to the point; an uninterrupted run with the
+  /// same intervals has the same. A series that cannot be read is made anew from its files, which is said.
+  /// @throws exchange::FileError
+  void resume(const ResumePoint& point);
+
+  /// The rows of the table that were due so far.
+  std::int64_t n_rows() const { return n_rows_; }
 
   /// Writes all that is due at this step; with `last`, the state at the end of the run too.
   /// @return the observations if they were due, else none
@@ -35,6 +60,7 @@ class Output {
   std::filesystem::path directory_;
   double shear_rate_;
   Schedule observables_;
+  std::int64_t n_rows_ = 0;
   OutputSeries membrane_, fluid_;
 };
 

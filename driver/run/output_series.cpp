@@ -56,13 +56,17 @@ std::vector<std::int64_t> OutputSeries::steps_there() const {
   return steps;
 }
 
-std::vector<std::int64_t> OutputSeries::steps_kept(std::int64_t step) const {
+std::vector<std::int64_t> OutputSeries::steps_kept(std::int64_t step, const Schedule& former) const {
   auto steps = steps_there();
-  std::erase_if(steps, [&](std::int64_t k) { return k > step || (k == step && !schedule_.due(k)); });
+  const auto stays = [&](std::int64_t k) { return k == step && (schedule_.due(k) || former.due(k)); };
+  std::erase_if(steps, [&](std::int64_t k) { return k >= step && !stays(k); });
   return steps;
 }
 
 std::string OutputSeries::remark(std::int64_t step, const std::vector<std::int64_t>& kept) const {
+  const auto folder = directory_ / name_;
+  if (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))
+    throw exchange::FileError(fmt::format("{}: is no folder; move it away", folder.string()));
   std::vector<exchange::SeriesEntry> entries;
   try {
     entries = exchange::read_series(series());

@@ -35,13 +35,14 @@ class OutputSeries {
   void show(double shear_time) const;
 
   /// The steps of the files that a run that goes on from `step` keeps, ascending: all before it, as they are,
-  /// and that of `step` itself if it is due (the last one of a finished run need not be).
-  std::vector<std::int64_t> steps_kept(std::int64_t step) const;
+  /// and that of `step` itself if it is due or was (the last one of a finished run need not be).
+  /// @param former the schedule of the run that got there
+  std::vector<std::int64_t> steps_kept(std::int64_t step, const Schedule& former) const;
 
   /// What is wrong with the .pvd, as it is to be told, since cut() makes it anew from the files; "" if
   /// nothing.
   /// @param kept by steps_kept
-  /// @throws exchange::FileError if it names what is no file of this series
+  /// @throws exchange::FileError if it names what is no file of this series, or its folder is none
   std::string remark(std::int64_t step, const std::vector<std::int64_t>& kept) const;
 
   /// Writes the .pvd of the files kept, with an entry at each of `times` (steps, ascending), then removes all

@@ -61,10 +61,28 @@ RecordedSteps recorded_steps(const PacketOptions& packets, std::int64_t first_st
 }
 
 /// Refuses what cannot be recorded, before anything is written. @throws InputError
-void check_packets(const PacketOptions& packets, std::int64_t first_step, std::int64_t last_step) {
+void check_packets(const PacketOptions& packets, const std::filesystem::path& output, std::int64_t first_step,
+                   std::int64_t last_step) {
   if (packets.record.empty()) return;
   recorded_steps(packets, first_step, last_step);
   require_new_directory("--record", packets.record);
+  if (!is_place_of_run(output, packets.record)) return;
+  throw InputError(
+      fmt::format("--record {}: is a place of the run's own output in {}; give another directory",
+                  packets.record.string(), output.string()));
+}
+
+/// What the run is going to read must not go with the earlier run. @throws InputError
+void check_meshes_stay(const Case& the_case, const std::filesystem::path& output) {
+  for (std::size_t k = 0; k < the_case.capsules.size(); ++k) {
+    const auto& file = the_case.capsules[k].mesh.file;
+    if (file.empty() || !is_place_of_run(output, file)) continue;
+    throw InputError(
+        fmt::format("--output {}: --force would remove capsule.{}.mesh.file, {}, with the earlier run; copy "
+                    "it to another "
+                    "place and name that, or choose another directory",
+                    output.string(), k, file));
+  }
 }
 
 /// Before an earlier run is removed: the record may not be possible. @throws InputError
@@ -84,30 +102,33 @@ std::unique_ptr<Passage> make_passage(const PacketOptions& packets, const Plan& 
   if (packets.record.empty()) return std::make_unique<Passage>();
   const auto last_step = last_step_of(plan.the_case, plan.parameters);
   write_echo(plan, packets.record);
-  return std::make_unique<Recorder>(packets.record, recorded_steps(packets, first_step, last_step));
+  return std::make_unique<Recorder>(packets.record, recorded_steps(packets, first_step, last_step),
+                                    plan.the_case);
 }
 
 /// A step and what is due after it.
-void advance_and_write(System& system, Passage& passage, Output& output, Progress& progress,
+void advance_and_write(System& system, Passage& passage, const Plan& plan, Output& output, Progress& progress,
                        const Schedule& checkpoints, std::int64_t last_step,
                        const std::filesystem::path& directory) {
   advance(system, passage);
   progress.observe(output.write(system, system.step == last_step));
-  if (checkpoints.due(system.step) || system.step == last_step) write_checkpoint(system, directory);
+  if (checkpoints.due(system.step) || system.step == last_step)
+    write_checkpoint(system, plan.the_case, output.n_rows(), directory);
   progress.update(system.step);
 }
 
 int run_on(System& system, Passage& passage, const Plan& plan, Output& output,
            const std::filesystem::path& directory) {
+  const std::int64_t first_step = system.step;
   const std::int64_t last_step = last_step_of(plan.the_case, plan.parameters);
   const auto checkpoints = schedule_of(plan.the_case.run.checkpoint_every, plan.parameters);
   Progress progress(system.step, last_step, system.fluid->shape().size(), plan.parameters.shear_rate);
   try {
     while (system.step < last_step && SignalGuard::caught() == 0) {
-      advance_and_write(system, passage, output, progress, checkpoints, last_step, directory);
+      advance_and_write(system, passage, plan, output, progress, checkpoints, last_step, directory);
     }
-    if (system.step < last_step) {
-      write_checkpoint(system, directory);
+    if (system.step > first_step && system.step < last_step) {
+      write_checkpoint(system, plan.the_case, output.n_rows(), directory);
       passage.stopped(system);
     }
   } catch (const RunError& error) {
@@ -127,12 +148,9 @@ int run_on(System& system, Passage& passage, const Plan& plan, Output& output,
   return 128 + SignalGuard::caught();
 }
 
-/// The case of a directory's echo with what the command line changes of it, checked like any other.
-Case read_echo(const std::filesystem::path& directory, std::optional<double> shear_time,
-               std::optional<int> threads) {
-  std::vector<std::string> assignments;
-  if (shear_time) assignments.push_back(fmt::format("run.shear_time={}", *shear_time));
-  if (threads) assignments.push_back(fmt::format("run.threads={}", *threads));
+/// The case of a directory's echo with what the command line changes of it, checked like any other. Its mesh
+/// files are not read: the checkpoint holds the meshes.
+Case read_echo(const std::filesystem::path& directory, const std::vector<std::string>& assignments) {
   const auto echo = directory / "echo.toml";
   if (!std::filesystem::is_regular_file(echo)) {
     throw InputError(fmt::format(
@@ -140,7 +158,14 @@ Case read_echo(const std::filesystem::path& directory, std::optional<double> she
         "--output named",
         directory.string()));
   }
-  return read_case(echo, assignments);
+  return read_case(echo, assignments, {.meshes = false});
+}
+
+std::vector<std::string> assignments_of(const ResumeOptions& options) {
+  std::vector<std::string> assignments;
+  if (options.shear_time) assignments.push_back(fmt::format("run.shear_time={}", *options.shear_time));
+  if (options.threads) assignments.push_back(fmt::format("run.threads={}", *options.threads));
+  return assignments;
 }
 
 /// Memory that a state of the fluid takes.
@@ -151,15 +176,35 @@ double bytes_of(const fluid::State& state) {
 }
 
 /// Whether there is anything left to do. @throws InputError for an end that cannot be reached from the
-/// checkpoint
-bool goes_on(const SavedState& checkpoint, std::int64_t last_step, std::int64_t former_last_step,
-             double shear_time) {
-  if (last_step > checkpoint.step) return true;
-  if (last_step == checkpoint.step && former_last_step == checkpoint.step) return false;
-  throw InputError(
-      fmt::format("--shear-time {}: the last checkpoint of the run is at or beyond that (step {}); "
-                  "give a later time",
-                  shear_time, checkpoint.step));
+/// checkpoint, and for a record without steps
+bool goes_on(const ResumeOptions& options, std::int64_t step, std::int64_t last_step,
+             std::int64_t former_last_step, double shear_time) {
+  if (last_step > step) return true;
+  if (last_step < step || former_last_step != step) {
+    throw InputError(fmt::format(
+        "{}: the checkpoint to go on from is at or beyond that (step {}); give a later time with "
+        "--shear-time",
+        options.shear_time
+            ? fmt::format("--shear-time {}", shear_time)
+            : fmt::format("{}: run.shear_time = {}", (options.directory / "echo.toml").string(), shear_time),
+        step));
+  }
+  if (!options.packets.record.empty()) {
+    throw InputError(
+        "--record: the run is at its end, so there is no step to record; extend it with --shear-time");
+  }
+  return false;
+}
+
+/// The first writing of a resumed run.
+void begin_again(const ResumeOptions& options, const Plan& plan, const ResumeStart& start, Output& output) {
+  const auto& directory = options.directory;
+  make_record_directory(options.packets);
+  make_last(directory, start.folder);
+  remove_temporary_files(directory);
+  if (options.shear_time || options.threads) write_echo(plan, directory);
+  write_parameters(plan, directory, commits_with(directory / "parameters.toml", commit));
+  output.resume(start.point);
 }
 
 }  // namespace
@@ -167,10 +212,12 @@ bool goes_on(const SavedState& checkpoint, std::int64_t last_step, std::int64_t 
 int run_new(const Plan& plan, const RunOptions& options) {
   const SignalGuard guard;
   check_output_directory(options.output, options.force);
-  check_packets(options.packets, 0, last_step_of(plan.the_case, plan.parameters));
+  check_packets(options.packets, options.output, 0, last_step_of(plan.the_case, plan.parameters));
+  if (options.force) check_meshes_stay(plan.the_case, options.output);
   // Before anything is written: a program may not start, a mesh may not fit.
   auto system = make_system(plan.the_case, plan.parameters, plan.meshes);
   const DirectoryLock lock(options.output);
+  check_output_directory(options.output, options.force);  // another process may have been faster
   make_record_directory(options.packets);
   if (options.force) remove_earlier_run(options.output);
   remove_temporary_files(options.output);
@@ -179,42 +226,42 @@ int run_new(const Plan& plan, const RunOptions& options) {
   Output output(plan.the_case, plan.parameters, options.output);
   output.begin();
   output.write(system, false);
-  write_checkpoint(system, options.output);
+  write_checkpoint(system, plan.the_case, output.n_rows(), options.output);
   const auto passage = make_passage(options.packets, plan, 0, options.output);
   return run_on(system, *passage, plan, output, options.output);
 }
 
-int run_resumed(const std::filesystem::path& directory, std::optional<double> shear_time,
-                std::optional<int> threads, const PacketOptions& packets) {
+int run_resumed(const ResumeOptions& options) {
   const SignalGuard guard;
-  const auto former_case = read_echo(directory, std::nullopt, std::nullopt);
-  const auto the_case = read_echo(directory, shear_time, threads);
+  const auto& directory = options.directory;
+  const auto former_case = read_echo(directory, {});
+  const auto the_case = read_echo(directory, assignments_of(options));
+  find_checkpoint(directory, options.from.step);  // a place without one is not a run's: no lock there
   const DirectoryLock lock(directory);
-  auto checkpoint = read_last_checkpoint(directory);
-  const auto plan = make_plan(the_case, checkpoint.references, bytes_of(checkpoint.fluid));
-  fmt::print("{}resuming from {}\n", plan.echo, checkpoint.folder.string());
-  const auto last_step = last_step_of(the_case, plan.parameters);
-  if (!goes_on(checkpoint, last_step, last_step_of(former_case, plan.parameters), the_case.run.shear_time)) {
-    if (!packets.record.empty()) {
-      throw InputError(
-          "--record: the run is at its end, so there is no step to record; extend it with --shear-time");
-    }
+  const auto numbers = parameters(the_case);
+  Output output(the_case, numbers, directory);
+  auto start = find_start(directory, the_case, output, options.from);
+  const auto last_step = last_step_of(the_case, numbers);
+  if (!goes_on(options, start.point.step, last_step, last_step_of(former_case, numbers),
+               the_case.run.shear_time)) {
     remove_temporary_files(directory);
     remove_old_checkpoints(directory);
     fmt::print("the run is at its end; --shear-time extends it\n");
     return 0;
   }
-  check_packets(packets, checkpoint.step, last_step);
-  auto system = make_system(the_case, plan.parameters, checkpoint.references);
-  restore(system, checkpoint);
-  checkpoint.fluid = {};  // as large as the lattice itself
-  make_record_directory(packets);
-  remove_temporary_files(directory);
-  if (shear_time || threads) write_echo(plan, directory);
-  write_parameters(plan, directory, commits_with(directory / "parameters.toml", commit));
-  Output output(plan.the_case, plan.parameters, directory);
-  output.resume(checkpoint.step);
-  const auto passage = make_passage(packets, plan, checkpoint.step, directory);
+  check_packets(options.packets, directory, start.point.step, last_step);
+  const auto plan = make_plan(the_case, start.state.references, bytes_of(start.state.fluid));
+  fmt::print("{}resuming from {}\n", plan.echo, start.folder.string());
+  if (!start.state.the_case) {
+    fmt::print(
+        "note: the checkpoint is of an earlier version and does not hold its case: echo.toml is taken as "
+        "it is, compared with nothing\n");
+  }
+  auto system = make_system(the_case, plan.parameters, start.state.references);
+  restore(system, start.state);
+  start.state.fluid = {};  // as large as the lattice itself
+  begin_again(options, plan, start, output);
+  const auto passage = make_passage(options.packets, plan, start.point.step, directory);
   return run_on(system, *passage, plan, output, directory);
 }
 

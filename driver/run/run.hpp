@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "driver/plan/plan.hpp"
+#include "driver/run/resume.hpp"
 
 namespace tanktread::driver {
 
@@ -29,10 +30,18 @@ struct RunOptions {
 /// @throws InputError, RunError (a last good state is then in the checkpoints), exchange::FileError
 int run_new(const Plan& plan, const RunOptions& options);
 
-/// Goes on from the last checkpoint of a directory.
-/// @param shear_time a new end of the run, in place of that in echo.toml
-/// @param threads in place of that in echo.toml
-int run_resumed(const std::filesystem::path& directory, std::optional<double> shear_time,
-                std::optional<int> threads, const PacketOptions& packets);
+/// What `tanktread run --resume` was told.
+struct ResumeOptions {
+  std::filesystem::path directory;
+  std::optional<double> shear_time;  ///< a new end of the run, in place of that in echo.toml
+  std::optional<int> threads;        ///< in place of those in echo.toml
+  ResumeFrom from;
+  PacketOptions packets;
+};
+
+/// Goes on from a checkpoint of a directory. All that can be refused is, before anything is written.
+/// @return as run_new
+/// @throws as run_new; InputError too for what find_start refuses
+int run_resumed(const ResumeOptions& options);
 
 }  // namespace tanktread::driver

@@ -18,7 +18,8 @@ struct CaseOptions {
     command.add_option("--case", file, "Case file, or the echo.toml of a run")->required();
     command.add_option("--set", assignments, "key=value, as for run")->allow_extra_args(false);
   }
-  Case read() const { return read_case(file, assignments); }
+  /// @param used what of the files that the case names the stage reads
+  Case read(const FilesUsed& used) const { return read_case(file, assignments, used); }
 };
 
 }  // namespace tanktread::driver

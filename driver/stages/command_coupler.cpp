@@ -16,7 +16,7 @@ struct Arguments {
 template <class Stage>
 void run_when_called(CLI::App& command, const std::shared_ptr<Arguments<Stage>>& arguments, int& exit_code) {
   command.callback([=, &exit_code] {
-    arguments->stage.the_case = arguments->the_case.read();
+    arguments->stage.the_case = arguments->the_case.read({false, false, false});  // none
     run_stage(arguments->stage);
     exit_code = 0;
   });

@@ -28,7 +28,7 @@ void add_fluid_command(CLI::App& app, int& exit_code) {
   command->add_option("--out", stage.out, "State to write (.vti)")->required();
   command->add_option("--fields", stage.fields, "Grid file to write too: density, velocity, force");
   command->callback([=, &exit_code] {
-    arguments->stage.the_case = arguments->the_case.read();
+    arguments->stage.the_case = arguments->the_case.read({.meshes = false, .membrane_programs = false});
     run_stage(arguments->stage);
     exit_code = 0;
   });

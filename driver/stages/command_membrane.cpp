@@ -42,7 +42,7 @@ void run_motion(Arguments& arguments) {
   auto& motion = arguments.motion;
   if (arguments.motion_name != "twist") motion.series = arguments.motion_name;
   motion.twist_amplitude = arguments.amplitude_deg * std::numbers::pi / 180;
-  motion.the_case = arguments.the_case.read();
+  motion.the_case = arguments.the_case.read({.fluid_program = false});
   motion.out = arguments.stage.out;
   run_stage(motion);
 }
@@ -76,7 +76,7 @@ void add_membrane_command(CLI::App& app, int& exit_code) {
     if (!arguments->motion_name.empty()) {
       run_motion(*arguments);
     } else {
-      arguments->stage.the_case = arguments->the_case.read();
+      arguments->stage.the_case = arguments->the_case.read({.fluid_program = false});
       run_stage(arguments->stage);
     }
     exit_code = SignalGuard::caught() == 0 ? 0 : 128 + SignalGuard::caught();

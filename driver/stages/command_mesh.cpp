@@ -18,7 +18,7 @@ std::string yes_or_no(bool value) {
   return value ? "yes" : "no";
 }
 
-std::string report_text(const membrane::MeshReport& report) {
+std::string report_text(const membrane::MeshReport& report, const std::string& hash) {
   std::string text;
   text += fmt::format("nodes               {}\n", report.n_nodes);
   text += fmt::format("triangles           {}\n", report.n_triangles);
@@ -33,6 +33,7 @@ std::string report_text(const membrane::MeshReport& report) {
   text += fmt::format("winding consistent  {}, outward {}\n", yes_or_no(report.consistent_winding),
                       yes_or_no(report.outward));
   text += fmt::format("Euler number        {}\n", report.euler_characteristic);
+  text += fmt::format("hash                {}\n", hash);
   return text;
 }
 
@@ -73,8 +74,9 @@ void add_info_command(CLI::App& mesh, int& exit_code) {
   command->add_option("file", *file, "Surface of triangles (.vtu)")->required();
   command->callback([=, &exit_code] {
     try {
-      const auto report = inspected(to_mesh(exchange::read_surface(*file, true)), *file);
-      fmt::print("{}", report_text(report));
+      const auto packet = exchange::read_surface(*file, true);
+      const auto report = inspected(to_mesh(packet), *file);
+      fmt::print("{}", report_text(report, geometry_hash(packet)));
       require_no_defects(report, *file);
     } catch (const exchange::FileError& error) {
       throw InputError(error.what());

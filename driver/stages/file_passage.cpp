@@ -52,8 +52,8 @@ void FilePassage::pass(const System& system, Packet packet, NodeVectors& vectors
   vectors = read_node_packet(file, packet, vectors, system.step + 1);
 }
 
-Recorder::Recorder(std::filesystem::path directory, RecordedSteps steps)
-    : directory_(std::move(directory)), steps_(steps) {
+Recorder::Recorder(std::filesystem::path directory, RecordedSteps steps, const Case& the_case)
+    : directory_(std::move(directory)), steps_(steps), case_(the_case) {
   for (const auto packet : all_packets) {
     std::filesystem::create_directories(directory_ / name_of(packet));
     exchange::write_series(directory_ / (name_of(packet) + ".pvd"), {});
@@ -73,7 +73,7 @@ void Recorder::record(const System& system, Packet packet, const Vectors& vector
 void Recorder::pass(const System& system, Packet packet, GridVectors& vectors) {
   // The first packet of a step: the system still stands at its beginning.
   if (packet == Packet::grid_velocity && system.step == steps_.from) {
-    write_state(directory_ / "begin", system);
+    write_state(directory_ / "begin", system, case_);
   }
   record(system, packet, vectors);
 }
@@ -83,11 +83,11 @@ void Recorder::pass(const System& system, Packet packet, NodeVectors& vectors) {
 }
 
 void Recorder::step_done(const System& system) {
-  if (system.step == steps_.to) write_state(directory_ / "end", system);
+  if (system.step == steps_.to) write_state(directory_ / "end", system, case_);
 }
 
 void Recorder::stopped(const System& system) {
-  if (system.step > steps_.from && system.step < steps_.to) write_state(directory_ / "end", system);
+  if (system.step > steps_.from && system.step < steps_.to) write_state(directory_ / "end", system, case_);
 }
 
 }  // namespace tanktread::driver

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "driver/case/case.hpp"
 #include "driver/system/passage.hpp"
 #include "exchange/vtk_files.hpp"
 
@@ -31,7 +32,8 @@ struct RecordedSteps {
 /// packet, DIR/node_force.pvd with DIR/node_force/node_force_STEP.vtu.
 class Recorder : public Passage {
  public:
-  Recorder(std::filesystem::path directory, RecordedSteps steps);
+  /// @param the_case of the run; it must outlive the recorder
+  Recorder(std::filesystem::path directory, RecordedSteps steps, const Case& the_case);
   void pass(const System& system, Packet packet, GridVectors& vectors) override;
   void pass(const System& system, Packet packet, NodeVectors& vectors) override;
   void step_done(const System& system) override;
@@ -44,6 +46,7 @@ class Recorder : public Passage {
 
   std::filesystem::path directory_;
   RecordedSteps steps_;
+  const Case& case_;
 };
 
 }  // namespace tanktread::driver

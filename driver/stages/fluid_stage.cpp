@@ -6,6 +6,7 @@
 #include "driver/program/memory.hpp"
 #include "driver/stages/stage_errors.hpp"
 #include "driver/stages/stages.hpp"
+#include "driver/stages/state_case.hpp"
 #include "driver/system/components.hpp"
 #include "driver/system/phases.hpp"
 #include "exchange/vtk_files.hpp"
@@ -51,7 +52,10 @@ void run(const FluidStage& stage) {
                  stage.the_case.file.string() + ": flow.box");
   const auto numbers = flow_parameters(stage.the_case);
   const auto fluid = make_fluid(stage.the_case, numbers);
-  if (!stage.state.empty()) restore(*fluid, stage.state);
+  if (!stage.state.empty()) {
+    note_other_case(stage.state, stage.the_case, "flow.");
+    restore(*fluid, stage.state);
+  }
   take_steps(*fluid, stage);
   auto state = fluid->state();
   const auto step = state.step;

@@ -1,6 +1,7 @@
 #include "driver/packets/packet_files.hpp"
 #include "driver/stages/stage_errors.hpp"
 #include "driver/stages/stages.hpp"
+#include "driver/stages/state_case.hpp"
 #include "driver/system/components.hpp"
 #include "driver/system/membrane_files.hpp"
 #include "driver/system/phases.hpp"
@@ -13,6 +14,7 @@ namespace {
 void restore(std::vector<CapsuleMembrane>& membranes, const std::filesystem::path& state) {
   const auto file = exchange::read_surface(state);
   check_surfaces(surfaces_of(file, state.string()), membranes, state.string());
+  check_references(file, membranes, state.string());
   restore_membranes(membranes, file, state.string());
 }
 
@@ -27,6 +29,7 @@ Input read_input(const MembraneStage& stage, const std::vector<CapsuleMembrane>&
   const auto file = exchange::read_surface(stage.in);
   auto surfaces = surfaces_of(file, name);
   check_surfaces(surfaces, membranes, name);
+  check_references(file, membranes, name);
   Input input;
   input.step = step_of(file.field_data, name);
   if (stage.move || exchange::find_optional_array(file.point_data, "velocity") != nullptr) {
@@ -54,7 +57,10 @@ void run(const MembraneStage& stage) {
   require_place(stage.out);
   const auto numbers = parameters(stage.the_case);
   auto membranes = make_membranes(stage.the_case, numbers, reference_meshes(stage.the_case));
-  if (!stage.state.empty()) restore(membranes, stage.state);
+  if (!stage.state.empty()) {
+    note_other_case(stage.state, stage.the_case, "");
+    restore(membranes, stage.state);
+  }
   if (stage.in.empty()) {
     write_start(stage, membranes);
     return;

@@ -30,7 +30,10 @@ std::vector<ReplayedArray> replay(const ReplayOptions& options) {
   std::vector<ReplayedArray> result;
   with_stage_errors([&] {
     ReplayRecord record(options);
-    replay_component(record, options.component, read_case(options.record / "echo.toml", options.assignments));
+    // The meshes are in the record; of the programs the component's own is started.
+    const FilesUsed used{false, options.component == "fluid", options.component == "membrane"};
+    replay_component(record, options.component,
+                     read_case(options.record / "echo.toml", options.assignments, used));
     result = record.differences();
   });
   return result;

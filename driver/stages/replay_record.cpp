@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "driver/case/case.hpp"
+#include "driver/case/case_difference.hpp"
 #include "driver/packets/packet_folder.hpp"
 #include "driver/program/output_directory.hpp"
 #include "exchange/shell_text.hpp"
@@ -39,6 +40,16 @@ void write(const std::filesystem::path& file, const GridPacket& content) {
   exchange::write_grid(file, content);
 }
 
+/// The settings of the record are those that it was made with. @throws InputError
+void require_recorded_case(const std::filesystem::path& record, const Case& made_it, const Case& the_case) {
+  const auto lines = lines_of_fixed_keys(differences(made_it, the_case), "begin/echo.toml", "echo.toml");
+  if (lines.empty()) return;
+  throw InputError(fmt::format(
+      "{}: echo.toml is not the case that was recorded\n{}\nset back each of these in it; what is "
+      "meant to differ is said with --set",
+      record.string(), lines));
+}
+
 /// Leaves of the recorded end only what the component gave.
 void keep_common(std::vector<Array>& recorded, const std::vector<Array>& given) {
   std::erase_if(recorded, [&](const Array& array) {
@@ -58,7 +69,9 @@ ReplayRecord::ReplayRecord(const ReplayOptions& options) : directory_(options.re
   }
   if (!out_.empty()) require_new_directory("--out", out_);
   begin_ = read_state(directory_ / "begin");
-  box_ = read_case(directory_ / "echo.toml").flow.box;
+  const auto the_case = read_case(directory_ / "echo.toml", {}, {false, false, false});
+  if (begin_.the_case) require_recorded_case(directory_, *begin_.the_case, the_case);
+  box_ = the_case.flow.box;
   const auto end = directory_ / "end" / membrane_state_file;
   has_end_ = std::filesystem::exists(end);
   last_step_ = has_end_ ? step_of(exchange::read_surface(end).field_data, end.string()) : begin_.step;

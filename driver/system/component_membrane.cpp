@@ -11,34 +11,54 @@
 namespace tanktread::driver {
 namespace {
 
-membrane::TriangleMesh mesh_from_file(const CapsuleCase& capsule) {
+/// The file that a case was made with may have been changed since. @throws InputError
+void check_hash(const Case& the_case, std::size_t number, const std::string& hash) {
+  const auto& mesh = the_case.capsules[number].mesh;
+  if (mesh.file_hash.empty() || mesh.file_hash == hash) return;
+  throw InputError(
+      fmt::format("{0}: capsule.{1}.mesh.file_hash = \"{2}\", but {3} has the hash \"{4}\": it is not the "
+                  "surface that the "
+                  "case was made with; put that file back, or say that this one is meant: with --set "
+                  "capsule.{1}.mesh.file_hash={4}, or without the key",
+                  the_case.file.string(), number, mesh.file_hash, mesh.file, hash));
+}
+
+ReferenceMesh mesh_from_file(const Case& the_case, std::size_t number) {
+  const auto& capsule = the_case.capsules[number];
   const auto file = std::filesystem::path(capsule.mesh.file);
-  membrane::TriangleMesh mesh;
+  ReferenceMesh result;
+  auto& mesh = result.mesh;
   try {
-    mesh = to_mesh(exchange::read_surface(file, true));
+    const auto packet = exchange::read_surface(file, true);
+    result.file_hash = geometry_hash(packet);
+    mesh = to_mesh(packet);
   } catch (const exchange::FileError& error) {
     throw InputError(error.what());
   }
+  check_hash(the_case, number, result.file_hash);
   const auto report = inspected(mesh, file.string());
   require_no_defects(report, file.string());
   const double sphere_volume = 4.0 / 3.0 * std::numbers::pi * std::pow(capsule.radius, 3);
   const double scale = std::cbrt(sphere_volume / report.volume);
   const Eigen::Vector3d position(capsule.position[0], capsule.position[1], capsule.position[2]);
   mesh.points = (scale * (mesh.points.colwise() - report.centre)).colwise() + position;
-  return mesh;
+  return result;
 }
 
 }  // namespace
 
-membrane::TriangleMesh reference_mesh(const CapsuleCase& capsule) {
-  if (!capsule.mesh.file.empty()) return mesh_from_file(capsule);
-  return membrane::icosphere(capsule.mesh.level, capsule.radius,
-                             {capsule.position[0], capsule.position[1], capsule.position[2]});
+ReferenceMesh reference_mesh(const Case& the_case, std::size_t number) {
+  const auto& capsule = the_case.capsules[number];
+  if (!capsule.mesh.file.empty()) return mesh_from_file(the_case, number);
+  return {membrane::icosphere(capsule.mesh.level, capsule.radius,
+                              {capsule.position[0], capsule.position[1], capsule.position[2]}),
+          ""};
 }
 
 std::vector<membrane::TriangleMesh> reference_meshes(const Case& the_case) {
   std::vector<membrane::TriangleMesh> meshes;
-  for (const auto& capsule : the_case.capsules) meshes.push_back(reference_mesh(capsule));
+  for (std::size_t k = 0; k < the_case.capsules.size(); ++k)
+    meshes.push_back(reference_mesh(the_case, k).mesh);
   return meshes;
 }
 

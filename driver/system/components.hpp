@@ -23,9 +23,16 @@ std::unique_ptr<coupler::Coupler> make_coupler(const Case& the_case);
 std::optional<coupler::TangentialCorrection> make_tangential_correction(const Case& the_case,
                                                                         const coupler::Coupler& coupler);
 
+/// The stress-free mesh of a capsule, and the hash of the file that it was made of ("": of none).
+struct ReferenceMesh {
+  membrane::TriangleMesh mesh;
+  std::string file_hash;
+};
+
 /// The stress-free mesh of a capsule at its place in the box: a sphere by its level, or a file scaled to the
-/// radius by its volume. @throws InputError if the file is not a surface that can be a membrane
-membrane::TriangleMesh reference_mesh(const CapsuleCase& capsule);
+/// radius by its volume. @throws InputError if the file is not a surface that can be a membrane, or has
+/// another hash than the case says
+ReferenceMesh reference_mesh(const Case& the_case, std::size_t capsule);
 /// Those of all capsules.
 std::vector<membrane::TriangleMesh> reference_meshes(const Case& the_case);
 

@@ -88,6 +88,24 @@ void restore_membranes(std::vector<CapsuleMembrane>& membranes, const exchange::
   }
 }
 
+void check_references(const exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>& membranes,
+                      const std::string& name) {
+  // Another processor may round the coordinates otherwise, by some 1e-13 in a box of 1000; a change that a
+  // user makes is larger.
+  constexpr double rounding = 1e-9;
+  if (exchange::find_optional_array(file.point_data, "reference_position") == nullptr) return;
+  const auto references = vectors_of(file, "reference_position", surfaces_of(file, name), name);
+  for (std::size_t k = 0; k < membranes.size(); ++k) {
+    const double largest = (references[k] - membranes[k].reference().points).cwiseAbs().maxCoeff();
+    if (largest <= rounding) continue;
+    throw exchange::FileError(
+        fmt::format("{0}: the stress-free shape of capsule {1} lies up to {2:.3g} grid steps from that of "
+                    "the case; give the "
+                    "case that made the file: capsule.{1}.radius, position or mesh is another",
+                    name, k, largest));
+  }
+}
+
 void check_surfaces(const Surfaces& surfaces, const std::vector<CapsuleMembrane>& membranes,
                     const std::string& name) {
   if (surfaces.positions.size() != membranes.size()) {

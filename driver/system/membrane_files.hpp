@@ -32,6 +32,11 @@ void add_state(exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>
 void restore_membranes(std::vector<CapsuleMembrane>& membranes, const exchange::SurfacePacket& file,
                        const std::string& name);
 
+/// A state goes on from its own stress-free shape only. A file without `reference_position` passes.
+/// @throws exchange::FileError if that is not the membranes' reference mesh, but for rounding
+void check_references(const exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>& membranes,
+                      const std::string& name);
+
 /// @throws exchange::FileError unless the surfaces have the nodes and triangles of the membranes
 void check_surfaces(const Surfaces& surfaces, const std::vector<CapsuleMembrane>& membranes,
                     const std::string& name);

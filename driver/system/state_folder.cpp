@@ -11,13 +11,14 @@
 
 namespace tanktread::driver {
 
-void write_state(const std::filesystem::path& folder, const System& system) {
+void write_state(const std::filesystem::path& folder, const System& system, const Case& the_case) {
   std::filesystem::create_directories(folder);
   exchange::write_grid(folder / fluid_state_file, state_file(system.fluid->state(), system.fluid->shape()));
   auto membranes = membrane_file(system.membranes, system.node_velocity, system.node_force, system.step,
                                  system.shear_time());
   add_state(membranes, system.membranes);
   exchange::write_surface(folder / membrane_state_file, membranes);
+  exchange::write_text(folder / case_state_file, to_toml(the_case));
 }
 
 void restore(System& system, const SavedState& state) {

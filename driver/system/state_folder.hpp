@@ -8,8 +8,9 @@
 
 namespace tanktread::driver {
 
-/// Makes the folder and writes the state of a system into it. @throws exchange::FileError
-void write_state(const std::filesystem::path& folder, const System& system);
+/// Makes the folder and writes the state of a system into it, with the case that made it.
+/// @throws exchange::FileError
+void write_state(const std::filesystem::path& folder, const System& system, const Case& the_case);
 
 /// Sets a freshly made system to a state. @throws InputError if it does not fit the case
 void restore(System& system, const SavedState& state);

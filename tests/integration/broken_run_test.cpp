@@ -79,12 +79,11 @@ TEST_F(BrokenRun, ResumeSaysWhatIsWrongWithItsFiles) {
   std::ofstream(fluid, std::ios::binary) << whole.substr(0, whole.size() / 2);
   const auto damaged = resume();
   EXPECT_EQ(damaged.exit_code, 2);
-  EXPECT_THAT(damaged.output, AllOf(HasSubstr("fluid.vti"), HasSubstr("remove it to go on from"),
-                                    HasSubstr("step_0000000060")));
+  EXPECT_THAT(damaged.output, AllOf(HasSubstr("fluid.vti"), HasSubstr("--from-step 60")));
   std::ofstream(fluid, std::ios::binary) << whole;
   std::filesystem::remove(directory_ / "out/observables.csv");
   const auto without_table = resume();
-  EXPECT_NE(without_table.exit_code, 0);
+  EXPECT_EQ(without_table.exit_code, 2);
   EXPECT_THAT(without_table.output, HasSubstr("observables.csv"));
   std::filesystem::remove_all(directory_ / "out/checkpoints");
   EXPECT_EQ(resume().exit_code, 2);
@@ -100,14 +99,6 @@ TEST_F(BrokenRun, OneDirectoryIsForOneProcess) {
   EXPECT_EQ(first.exit_code, 128 + SIGINT);
   EXPECT_EQ(second.exit_code, 2);
   EXPECT_THAT(second.output, HasSubstr("another tanktread process"));
-}
-
-TEST_F(BrokenRun, AWriteThatFailsStopsWithTheLastGoodState) {
-  ASSERT_EQ(run_program(run_to("out", {"--shear-time", "0.2"})).exit_code, 0);
-  std::filesystem::remove_all(directory_ / "out/membrane");
-  std::ofstream(directory_ / "out/membrane") << "a file where the folder should be";
-  const auto ended = run_program({"run", "--resume", (directory_ / "out").string(), "--shear-time", "0.4"});
-  EXPECT_EQ(ended.exit_code, 3) << ended.output;
 }
 
 /// No file of this process and its children can grow over a size while it lives.

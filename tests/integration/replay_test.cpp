@@ -146,6 +146,21 @@ TEST_F(Replay, AnImpossibleRecordLeavesTheEarlierRun) {
   }
 }
 
+TEST_F(Replay, TheCaseBesideARecordIsTheOneThatWasRecorded) {
+  record(10);
+  const auto echo = path("record/echo.toml");
+  auto text = read_file(echo);
+  const std::string speed = "wall_speed = 0.02";
+  std::ofstream(echo) << text.replace(text.find(speed), speed.size(), "wall_speed = 0.01");
+  const auto refused = call({"replay", path("record"), "--only", "fluid"}, 2);
+  EXPECT_THAT(refused, AllOf(HasSubstr("flow.wall_speed: 0.02 in begin/echo.toml, 0.01 in echo.toml"),
+                             HasSubstr("--set")));
+  // The way that it names.
+  std::filesystem::copy_file(path("record/begin/echo.toml"), echo,
+                             std::filesystem::copy_options::overwrite_existing);
+  call({"replay", path("record"), "--only", "fluid", "--set", "flow.wall_speed=0.01"});
+}
+
 TEST_F(Replay, OnlyStepsOfTheRunCanBeRecorded) {
   const auto refusal = [&](std::vector<std::string> more) {
     more.insert(more.begin(),

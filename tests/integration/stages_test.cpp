@@ -215,6 +215,36 @@ TEST_F(Stages, ACorrectionNeedsTheForceOfTheNodes) {
   EXPECT_FALSE(std::filesystem::exists(path("velocity.vtu")));
 }
 
+TEST_F(Stages, AStateIsOfTheStressFreeShapeOfTheCase) {
+  call({"run", path("case.toml"), "--output", path("out")});
+  const auto state = path("out/checkpoints/step_0000000020/membrane.vtu");
+  const std::vector<std::string> go_on = {"membrane", "--in",  state,           "--state",
+                                          state,      "--out", path("next.vtu")};
+  EXPECT_THAT(stage(go_on), Not(HasSubstr("note:")));
+  auto other = go_on;
+  other.insert(other.end(), {"--set", "capsule.1.radius=3.1"});
+  std::filesystem::remove(path("next.vtu"));
+  EXPECT_THAT(stage(other, 2), AllOf(HasSubstr("membrane.vtu"), HasSubstr("capsule.1.radius")));
+  EXPECT_FALSE(std::filesystem::exists(path("next.vtu")));
+}
+
+TEST_F(Stages, OtherSettingsThanThoseOfAStateAreSaid) {
+  call({"run", path("case.toml"), "--output", path("out")});
+  const std::string folder = path("out/checkpoints/step_0000000020/");
+  const auto go_on = [&](const std::string& component, const std::string& set) {
+    const auto state = folder + (component == "fluid" ? "fluid.vti" : "membrane.vtu");
+    std::vector<std::string> arguments = {component, "--state", state, "--out", path("next"), "--set", set};
+    if (component == "membrane") arguments.insert(arguments.end(), {"--in", state});
+    return stage(arguments);
+  };
+  EXPECT_THAT(
+      go_on("fluid", "flow.relaxation_time=0.9"),
+      AllOf(HasSubstr("note:"), HasSubstr("flow.relaxation_time: 1.0 in the case that made it, 0.9")));
+  EXPECT_THAT(go_on("fluid", "membrane.capillary_number=0.2"), Not(HasSubstr("note:")));
+  EXPECT_THAT(go_on("membrane", "capsule.1.membrane.viscous.scheme=fd"),
+              HasSubstr("capsule.1.membrane.viscous.scheme: \"int2\" in the case that made it, \"fd\""));
+}
+
 TEST_F(Stages, RefusesPositionsBeyondAWall) {
   record(17);
   const auto force = path("record/node_force/node_force_0000000019.vtu"),

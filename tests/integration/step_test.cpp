@@ -94,9 +94,9 @@ TEST(Step, CheckpointGoesOnBitForBit) {
   auto system = make(c);
   for (int k = 0; k < 7; ++k) advance(system);
   const tanktread::testing::TemporaryDirectory directory;
-  write_checkpoint(system, directory.path());
+  write_checkpoint(system, c, {}, directory.path());
   auto other = make(c);
-  restore(other, read_last_checkpoint(directory.path()));
+  restore(other, read_checkpoint(find_checkpoint(directory.path(), std::nullopt)).state);
   for (int k = 0; k < 10; ++k) {
     advance(system);
     advance(other);

@@ -10,6 +10,7 @@
 #include "driver/case/schema.hpp"
 #include "driver/case/spelling.hpp"
 #include "tests/unit/case_samples.hpp"
+#include "tests/unit/key_values.hpp"
 
 namespace {
 
@@ -23,31 +24,6 @@ std::string manual() {
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();
-}
-
-/// A value the key may hold that is not its default.
-Value another_value(const Key& key) {
-  switch (key.kind) {
-    case Kind::boolean:
-      return false;
-    case Kind::integer:
-      return 7;
-    case Kind::real:
-      return 0.625;
-    case Kind::text:
-      return key.choices.empty() ? std::string("another") : key.choices.back();
-    case Kind::integers3:
-      return std::array<int, 3>{7, 8, 9};
-    case Kind::reals3:
-      return std::array<double, 3>{0.5, 1.5, 2.5};
-    case Kind::ranges3:
-      return Ranges3{{{1, 2}, {3, 4}, {5, 6}}};
-    case Kind::texts:
-      return std::vector<std::string>{"one", "two words"};
-    case Kind::none:
-      break;
-  }
-  return {};
 }
 
 Case two_capsules() {

@@ -1,0 +1,34 @@
+// Values for tests that go over all keys of the schema.
+#pragma once
+
+#include "driver/case/schema.hpp"
+
+namespace tanktread::testing {
+
+/// A value the key may hold that is not its default.
+inline driver::Value another_value(const driver::Key& key) {
+  using driver::Kind;
+  switch (key.kind) {
+    case Kind::boolean:
+      return driver::Value(key.preset != "true");
+    case Kind::integer:
+      return 7;
+    case Kind::real:
+      return 0.625;
+    case Kind::text:
+      return key.choices.size() < 2 ? std::string("another") : key.choices.back();
+    case Kind::integers3:
+      return std::array<int, 3>{7, 8, 9};
+    case Kind::reals3:
+      return std::array<double, 3>{0.5, 1.5, 2.5};
+    case Kind::ranges3:
+      return driver::Ranges3{{{1, 2}, {3, 4}, {5, 6}}};
+    case Kind::texts:
+      return std::vector<std::string>{"one", "two words"};
+    case Kind::none:
+      break;
+  }
+  return {};
+}
+
+}  // namespace tanktread::testing
