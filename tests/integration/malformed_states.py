@@ -29,6 +29,15 @@ def of_series(name, content, *message, names="s.pvd"):
     return Row(name, "membrane --case case.toml --motion s.pvd --out new", [names, *message], {"s.pvd": content})
 
 
+def of_another_case(key, old, new):
+    """The case of a run changed after its states were made."""
+    return resumed(f"a run of another {key}", {"out/echo.toml": spoilt(old, new)}, "echo.toml", key)
+
+
+def words_for_rows(before):
+    return before.splitlines(True)[0] + b"a,b,c\n"
+
+
 def first_lines(n):
     return lambda before: b"".join(before.splitlines(True)[:n])
 
@@ -69,7 +78,18 @@ RUNS = [
     resumed("a run without its case", {}, "--resume out", "echo.toml", remove=("out/echo.toml",)),
     resumed("a run with an empty case", {"out/echo.toml": ""}, "out/echo.toml", "capsule: is missing"),
     resumed("a run with half a case", {"out/echo.toml": lambda before: before[:200]}, "out/echo.toml"),
-    resumed("a run of another radius", {"out/echo.toml": spoilt(b"radius = 3.0", b"radius = -3.0")}, "out/echo.toml", "radius"),
+    resumed("a run of a negative radius", {"out/echo.toml": spoilt(b"radius = 3.0", b"radius = -3.0")}, "out/echo.toml", "radius"),
+    of_another_case("radius", b"radius = 3.0", b"radius = 2.5"),
+    of_another_case("wall_speed", b"wall_speed = 0.02", b"wall_speed = 0.01"),
+    of_another_case("capillary_number", b"capillary_number = 0.3", b"capillary_number = 0.1"),
+    of_another_case("kernel", b'kernel = "cosine4"', b'kernel = "roma3"'),
+    of_another_case("relaxation_time", b"relaxation_time = 1.0", b"relaxation_time = 0.9"),
+    resumed("a run with a table that is not its own", {"out/observables.csv": "step,x\n0,1\n"}, "observables.csv", "another header"),
+    resumed("a run without its table", {}, "observables.csv", "is missing", remove=("out/observables.csv",)),
+    resumed("a run with an empty table", {"out/observables.csv": ""}, "observables.csv"),
+    resumed("a run with a table cut short", {"out/observables.csv": first_lines(2)}, "observables.csv", "1 of 3 rows"),
+    resumed("a run with a table of words", {"out/observables.csv": words_for_rows}, "observables.csv", "line 2"),
+    resumed("a run with another's series", {"out/membrane.pvd": series('<DataSet timestep="0" file="cell.vtu"/>')}, "membrane.pvd", "cell.vtu"),
 ]
 
 VELOCITY = "record/grid_velocity/grid_velocity_0000000001.vti"
