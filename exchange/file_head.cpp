@@ -99,6 +99,22 @@ void check_type(vtkXMLDataElement& root, const std::string& type, const std::fil
   }
 }
 
+/// VTK takes whatever stands in field data for an array.
+void check_only_arrays(vtkXMLDataElement& element, const std::filesystem::path& file) {
+  constexpr std::array<std::string_view, 3> holders = {"FieldData", "PointData", "CellData"};
+  const bool holds_arrays = std::find(holders.begin(), holders.end(), element.GetName()) != holders.end();
+  for (int k = 0; k < element.GetNumberOfNestedElements(); ++k) {
+    auto& nested = *element.GetNestedElement(k);
+    const std::string_view name = nested.GetName();
+    if (holds_arrays && name != "DataArray" && name != "Array") {
+      throw FileError(fmt::format(
+          "{}: {} holds an element {}, which is no array: the file is damaged; write or copy it again",
+          file.string(), element.GetName(), name));
+    }
+    check_only_arrays(nested, file);
+  }
+}
+
 void check_array_types(vtkXMLDataElement& element, const std::filesystem::path& file) {
   constexpr std::array<std::string_view, 12> known = {"Float64", "Float32", "Int64",  "UInt64",
                                                       "Int32",   "UInt32",  "Int16",  "UInt16",
@@ -173,6 +189,7 @@ int check_head(const WholeFile& file, const std::string& type, bool exact) {
   parse_head(*parser, stream, file.name());
   check_type(*parser->GetRootElement(), type, file.name());
   check_array_types(*parser->GetRootElement(), file.name());
+  check_only_arrays(*parser->GetRootElement(), file.name());
   if (exact) refuse_text_numbers(*parser->GetRootElement(), file.name());
   refuse_polyhedra(*parser->GetRootElement(), file.name());
   if (auto* grid = parser->GetRootElement()->FindNestedElementWithName("ImageData"))

@@ -39,7 +39,7 @@ namespace fs = std::filesystem;
 /// means nothing to a user.
 std::string tidy(const std::string& message) {
   static const std::regex source_line("^[^\n]*: In [^\n]*, line [0-9]+\n");
-  static const std::regex object("vtk\\w+ \\((0x[0-9a-f]+|nullptr)\\)(: )?"), prefix("\\bvtk(?=[A-Z])");
+  static const std::regex object("vtk\\w+ ?\\((0x[0-9a-f]+|nullptr)\\)(: )?"), prefix("\\bvtk(?=[A-Z])");
   static const std::regex line_break("\\s*\n\\s*");
   auto text = std::regex_replace(message, source_line, "");
   text = std::regex_replace(text, object, "");

@@ -31,6 +31,7 @@ HEADS = [
     mesh("a grid for a mesh", grid(), "is a grid (.vti), not a surface (.vtu)"),
     mesh("a series for a mesh", series(), "is a series (.pvd), not a surface (.vtu)"),
     mesh("two types of numbers", GOOD.replace('"Float64"', '"Float65"'), "unknown type 'Float65'"),
+    mesh("data that are no array", surface(point_data="<Numbers></Numbers>"), "PointData holds an element Numbers"),
     mesh("an array without a type", GOOD.replace(' type="Int64"', "", 1), "unknown type ''"),
     mesh("a parent that is not closed", GOOD.replace("</Cells>", ""), "cannot be read"),
     mesh("an entity that is none", GOOD.replace('Name="Points"', 'Name="&points;"'), "cannot be read"),
