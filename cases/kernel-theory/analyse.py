@@ -120,7 +120,7 @@ def pictures(output, case):
     """The error of D against the radius: lines of the theory, points of the runs."""
     settings, kernels = read_comparison(case)["analyse"], kernels_of(output, case)
     runs = measured_runs(case, settings)
-    radii = numpy.geomspace(min(settings["radii"]), max(settings["radii"]), 12)
+    radii = numpy.geomspace(min(settings["radii"]), max(settings["radii"]), 24)
     figure, axes = new_axes("radius  $a$  (grid steps)", "error of $D$  (%)")
     for colour, (name, kernel) in zip(COLOURS, kernels.items()):
         for corrected, style, face in ((False, "solid", colour), (True, "dashed", "white")):
