@@ -43,6 +43,11 @@ AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
   if (fs::is_directory(target_, error)) {
     throw FileError(fmt::format("{}: cannot be written: it is a folder", target_.string()));
   }
+  // The rename would put a file in the place of /dev/null, for all programs of the machine.
+  if (fs::exists(target_, error) && !fs::is_regular_file(target_, error)) {
+    throw FileError(fmt::format("{}: cannot be written: it is a device or a pipe; give the name of a file",
+                                target_.string()));
+  }
   static std::atomic<unsigned> counter = 0;
   temporary_ = folder / fmt::format(".{}.{}-{}.tmp", target_.filename().string(), ::getpid(), counter++);
 }

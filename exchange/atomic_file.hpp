@@ -11,7 +11,8 @@ namespace tanktread::exchange {
 /// `target` is untouched.
 class AtomicFile {
  public:
-  /// @throws FileError if the folder does not exist or `target` is a folder
+  /// @throws FileError if the folder does not exist, or `target` is there and is no file: a folder, a device,
+  /// a pipe
   explicit AtomicFile(std::filesystem::path target);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;

@@ -9,10 +9,12 @@ from .observables import InputError
 
 
 def require_place(target, force=False):
-    """Refuses a target that is there already (unless `force`), or whose folder is not there."""
+    """Refuses a target that is there already (with `force`: one that is no file), or whose folder is not there."""
     target = pathlib.Path(target)
     if target.exists() and not force:
         raise InputError(f"{target}: it is there already; choose another name, or --force to replace it")
+    if target.exists() and not target.is_file():
+        raise InputError(f"{target}: it is no file, so it cannot be replaced; choose another name")
     _require_parent(target)
 
 

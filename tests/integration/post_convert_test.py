@@ -194,6 +194,14 @@ class Repairs(Surfaces):
         self.assertEqual(self.command(source, "out.off", "--scale", "2", "--force").returncode, 0)
         self.assertNotEqual((self.folder / "out.off").read_bytes(), written)
 
+    def test_force_replaces_files_only(self):
+        source = self.write(self.points, self.triangles)
+        os.mkfifo(self.folder / "out.off")
+        refused = self.command(source, "out.off", "--force")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("out.off: it is no file, so it cannot be replaced; choose another name", refused.stderr)
+        self.assertTrue((self.folder / "out.off").is_fifo())
+
 
 class Refusals(Surfaces):
     def setUp(self):

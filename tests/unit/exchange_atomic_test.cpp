@@ -115,6 +115,18 @@ TEST(Writing, WhereAFolderHasTheName) {
   EXPECT_THAT(folder.names(), ElementsAre("taken"));
 }
 
+TEST(Writing, WhereADeviceOrAPipeHasTheName) {
+  const TemporaryFolder folder;
+  const auto pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const auto& kind : kinds()) {
+    EXPECT_THAT(error_of([&] { kind.write(pipe); }),
+                HasSubstr("pipe: cannot be written: it is a device or a pipe; give the name of a file"));
+  }
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+  EXPECT_THAT(folder.names(), ElementsAre("pipe"));
+}
+
 TEST(Writing, IntoTheFolderOneIsIn) {
   const TemporaryFolder folder;
   const auto before = std::filesystem::current_path();
