@@ -85,6 +85,12 @@ Case parse_case(const std::string& text, const std::string& name, const std::fil
 
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& assignments,
                const FilesUsed& used) {
+  if (std::filesystem::is_directory(file)) {
+    const auto echo = file / "echo.toml";
+    throw InputError(fmt::format("{}: is a folder, not a case file; give the path of a .toml{}",
+                                 file.string(),
+                                 std::filesystem::exists(echo) ? ", as " + echo.string() : ""));
+  }
   std::ifstream stream(file, std::ios::binary);
   if (!std::filesystem::is_regular_file(file) || !stream) {
     throw InputError(fmt::format(

@@ -4,10 +4,22 @@ Exit codes: 0, 1 (a comparison outside its band, a run not finished), 2 (bad inp
 """
 
 import argparse
+import math
 import pathlib
 import sys
 
 from . import case_results, exit_codes, measured, observables, run_folder, surface
+
+
+def _number(text):
+    """A number of the command line; to Python nan, inf and 1_0 are numbers too."""
+    try:
+        value = float(text.replace("_", "?"))
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"{text!r} is no number; write one as 0.5")
+    return value
 
 
 def build_parser():
@@ -29,13 +41,13 @@ def build_parser():
 
     command = add("render", _render, "capsule.png: the membrane in the flow (without a display: xvfb-run)", None)
     command.add_argument("--field", default="area_ratio", help="cell field that colours the membrane (default: %(default)s)")
-    command.add_argument("--shear-time", type=float, help="which moment (default: the last)")
+    command.add_argument("--shear-time", type=_number, help="which moment (default: the last)")
     command.add_argument("--file", type=pathlib.Path, help="where to (default: capsule.png in the output directory)")
 
     add("snapshots", _snapshots, "snapshots.png: the moments of a case's runs that its compare.toml lists", True)
 
     command = add("measure", _measure, "adds a finished run to measured/results.csv of its case", True)
-    command.add_argument("--at", type=float, nargs="+", required=True, metavar="SHEAR_TIME", help="when to read it")
+    command.add_argument("--at", type=_number, nargs="+", required=True, metavar="SHEAR_TIME", help="when to read it")
     command.add_argument("--run", help="name of the run (default: that of its folder)")
     command.add_argument("--made-by", required=True, metavar="COMMAND", help="the command that made it")
     command.add_argument("--log", type=pathlib.Path, help="what the run printed: for its speed (default: OUTPUT.log)")
@@ -50,9 +62,9 @@ def _add_convert_surface(commands):
     command = commands.add_parser("convert-surface", help=text, description=text)
     command.add_argument("source", type=pathlib.Path, metavar="IN")
     command.add_argument("target", type=pathlib.Path, nargs="?", metavar="OUT", help="may be left out with --check-only")
-    command.add_argument("--scale", type=float, default=1.0, help="factor of all coordinates (default: %(default)s)")
+    command.add_argument("--scale", type=_number, default=1.0, help="factor of all coordinates (default: %(default)s)")
     command.add_argument(
-        "--merge-tolerance", type=float, default=surface.MERGE_TOLERANCE, metavar="FRACTION",
+        "--merge-tolerance", type=_number, default=surface.MERGE_TOLERANCE, metavar="FRACTION",
         help="points nearer than this fraction of the diagonal of the surface's box become one (default: %(default)s)",
     )  # fmt: skip
     command.add_argument("--body", type=int, metavar="K", help="take one of several separate bodies, numbered from 0")

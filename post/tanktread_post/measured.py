@@ -13,7 +13,7 @@ import subprocess
 from . import going_on
 from .observables import InputError, Observables
 from .reference import ANALYSE
-from .run_folder import is_finished, read_cost, read_echo, read_parameters
+from .run_folder import is_finished, is_run, read_cost, read_echo, read_parameters
 from .toml_tables import require_name_of
 
 QUANTITIES = ("deformation", "inclination_deg", "length", "width", "breadth", "volume_ratio", "area_ratio")
@@ -109,6 +109,8 @@ def _add_block(file, columns, directory, run, rows, command):
 
 
 def _refuse_what_cannot_be_added(directory, run, command):
+    if not is_run(directory):
+        raise InputError(f"{directory}: it is not the output of a run, for it holds no echo.toml; give the directory that --output named")
     if not is_finished(directory):
         raise InputError(f"{directory}: the run is not finished; go on with: {going_on.command(directory)}")
     if "," in run or "\n" in command:

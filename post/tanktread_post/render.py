@@ -89,6 +89,8 @@ def render(output, field="area_ratio", shear_time=None, file=None):
     `shear_time`: the nearest membrane file is drawn, the last by default, in the last flow up to its time; in none if the run wrote none.
     """
     output = pathlib.Path(output)
+    if not output.is_dir():
+        raise InputError(f"{output}: there is no such folder; give the output directory of a run")
     file = pathlib.Path(file) if file else output / "capsule.png"
     if file.suffix.lower() != ".png":
         raise InputError(f"{file}: a picture is a PNG; its name must end with .png")

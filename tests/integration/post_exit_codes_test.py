@@ -98,10 +98,22 @@ class Ending(InFolder):
 
     def test_missing_files(self):
         self.write()
-        for command in (["plot"], ["compare", "--case", "none"], ["finished"], ["snapshots", "--case", "none"], ["measure", "--case", "none", "--at", "1", "--made-by", ""], ["convert-series"]):
+        for command in (["plot"], ["compare", "--case", "none"], ["finished"], ["render"], ["snapshots", "--case", "none"], ["measure", "--case", "none", "--at", "1", "--made-by", ""], ["convert-series"]):
             arguments = __main__.build_parser().parse_args([command[0], "none", *command[1:], *(["a.xdmf"] if command == ["convert-series"] else [])])
             code, said = self.ended(lambda: arguments.call(arguments))
             self.assertEqual((code, "none" in said or command == ["finished"]), (1 if command == ["finished"] else 2, True), said)
+            # Nothing that a user could go on with, or make, is there.
+            self.assertNotIn("go on with", said)
+            self.assertNotIn("make it first", said)
+
+    def test_words_that_are_no_numbers(self):
+        for command in (["measure", "out", "--case", "a", "--made-by", "b", "--at"], ["render", "out", "--shear-time"], ["convert-surface", "a.stl", "a.vtu", "--scale"]):
+            for word in ("nan", "inf", "1_0", "1,5", "half"):
+                said = io.StringIO()
+                with contextlib.redirect_stderr(said), self.assertRaises(SystemExit) as ended:
+                    __main__.build_parser().parse_args([*command, word])
+                self.assertEqual(ended.exception.code, 2)
+                self.assertIn(f"'{word}' is no number; write one as 0.5", said.getvalue())
 
 
 if __name__ == "__main__":
