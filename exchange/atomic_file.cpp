@@ -31,9 +31,20 @@ void write_all(const Descriptor& file, const std::string& text, const fs::path& 
   }
 }
 
+/// The file that a link stands for: the rename would replace the link, and leave that file as it is.
+fs::path behind_links(const fs::path& target) {
+  std::error_code error;
+  if (!fs::is_symlink(target, error)) return target;
+  if (fs::exists(target, error) && !fs::is_regular_file(target, error)) return target;  // refused as it is
+  auto file = fs::canonical(target, error);
+  if (!error) return file;
+  throw FileError(fmt::format(
+      "{}: cannot be written: it is a link to a file that is not there; give another name", target.string()));
+}
+
 }  // namespace
 
-AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
+AtomicFile::AtomicFile(fs::path target) : target_(behind_links(target)) {
   const auto folder = folder_of(target_);
   std::error_code error;
   if (!fs::is_directory(folder, error)) {

@@ -11,6 +11,7 @@ namespace tanktread::exchange {
 /// `target` is untouched.
 class AtomicFile {
  public:
+  /// A link is left, and the file that it stands for written.
   /// @throws FileError if the folder does not exist, or `target` is there and is no file: a folder, a device,
   /// a pipe
   explicit AtomicFile(std::filesystem::path target);

@@ -124,7 +124,28 @@ TEST(Writing, WhereADeviceOrAPipeHasTheName) {
                 HasSubstr("pipe: cannot be written: it is a device or a pipe; give the name of a file"));
   }
   EXPECT_TRUE(std::filesystem::is_fifo(pipe));
-  EXPECT_THAT(folder.names(), ElementsAre("pipe"));
+  std::filesystem::create_symlink("pipe", folder / "link");
+  EXPECT_THAT(error_of([&] { write_text(folder / "link", ""); }),
+              HasSubstr("link: cannot be written: it is a device"));
+  EXPECT_THAT(folder.names(), ElementsAre("link", "pipe"));
+}
+
+TEST(Writing, ThroughALinkGoesToTheFileBehindIt) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "elsewhere");
+  const auto link = folder / "link", file = folder / "elsewhere" / "file";
+  std::filesystem::create_symlink("elsewhere/file", link);
+  for (const auto& kind : kinds()) {
+    std::filesystem::remove(file);
+    EXPECT_THAT(
+        error_of([&] { kind.write(link); }),
+        HasSubstr("link: cannot be written: it is a link to a file that is not there; give another name"));
+    put_text(file, "old");
+    kind.write(link);
+    EXPECT_NE(read_text(file), "old") << kind.name;
+    EXPECT_TRUE(std::filesystem::is_symlink(link)) << kind.name;
+  }
+  EXPECT_THAT(folder.names(), ElementsAre("elsewhere", "link"));
 }
 
 TEST(Writing, IntoTheFolderOneIsIn) {
