@@ -17,6 +17,7 @@ struct Table {
   std::vector<std::string> names;
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> comments;
+  std::vector<bool> windows_ends;  ///< of each line
 };
 
 constexpr const char* missing_cell = "(no cell)";
@@ -46,6 +47,8 @@ Table read_table(const std::filesystem::path& file) {
   Table table;
   bool has_names = false;
   for (std::string line; std::getline(stream, line);) {
+    table.windows_ends.push_back(line.ends_with('\r'));
+    if (table.windows_ends.back()) line.pop_back();
     if (line.starts_with('#')) {
       table.comments.push_back(line);
     } else if (!has_names) {
@@ -98,6 +101,14 @@ void add_column(const std::string& name, const std::vector<std::string>& a, cons
   report.add(found, {[](std::int64_t row) { return fmt::format("row {}", row + 1); }, a[first], b[first]});
 }
 
+/// What another program makes of a table that it saves again.
+void compare_line_ends(const Table& a, const Table& b, DifferenceReport& report) {
+  const auto n = static_cast<std::ptrdiff_t>(std::min(a.windows_ends.size(), b.windows_ends.size()));
+  if (std::equal(a.windows_ends.begin(), a.windows_ends.begin() + n, b.windows_ends.begin())) return;
+  report.add(fmt::format("{} lines with Windows line ends against {}",
+                         std::ranges::count(a.windows_ends, true), std::ranges::count(b.windows_ends, true)));
+}
+
 void add_lonely_column(const std::string& name, const char* where, DifferenceReport& report) {
   exchange::ArrayDifference found;
   found.kind = "column";
@@ -121,6 +132,7 @@ void compare_tables(const std::filesystem::path& file_a, const std::filesystem::
                     DifferenceReport& report) {
   const auto a = read_table(file_a), b = read_table(file_b);
   const auto n_rows = std::min(a.rows.size(), b.rows.size());
+  compare_line_ends(a, b, report);
   if (a.comments != b.comments) report.add("the comment lines differ");
   if (a.rows.size() != b.rows.size()) {
     report.add(

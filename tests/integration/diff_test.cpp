@@ -158,6 +158,15 @@ TEST_F(Diff, FindsColumnsByName) {
   EXPECT_EQ(diff_tables("a,a\n1,2\n", "a,a\n1,2\n").exit_code, 0) << "two of one name";
 }
 
+TEST_F(Diff, SeesTheLineEndsOfATableAsSuch) {
+  const auto ended = diff_tables("x,y\n1,2\n3,4\n", "x,y\r\n1,2\n3,4\r\n");
+  EXPECT_EQ(ended.exit_code, 1);
+  EXPECT_THAT(ended.output, AllOf(HasSubstr("0 lines with Windows line ends against 2\n"),
+                                  HasSubstr("different: 0 of 2 arrays, 1 of 1 file")));
+  EXPECT_EQ(diff_tables("x\r\n1\n", "x\n1\r\n").exit_code, 1) << "as many of them";
+  EXPECT_EQ(diff_tables("x\r\n1\r\n", "x\r\n1\r\n").exit_code, 0);
+}
+
 TEST_F(Diff, SeesRowsCellsAndCommentsThatAreMissing) {
   const auto rows = diff_tables("x\n1\n2\n", "x\n1\n2\n3\n");
   EXPECT_EQ(rows.exit_code, 1);
