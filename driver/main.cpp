@@ -44,6 +44,17 @@ void check_subcommand(const CLI::App& app, int argc, char** argv) {
   }
 }
 
+/// What CLI11 finds wrong, with the command that it is about, which its own words leave out.
+std::string parse_message(const CLI::App& app, const CLI::ParseError& error) {
+  std::string command = app.get_name();
+  const CLI::App* last = &app;
+  for (auto given = last->get_subcommands(); !given.empty(); given = last->get_subcommands()) {
+    last = given.front();
+    command += " " + last->get_name();
+  }
+  return fmt::format("{}: {}; see {} --help", command, error.what(), command);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -54,7 +65,8 @@ int main(int argc, char** argv) {
     app->parse(argc, argv);
     return exit_code;
   } catch (const CLI::ParseError& error) {
-    return app->exit(error) == 0 ? 0 : exit_bad_input;
+    if (error.get_exit_code() == 0) return app->exit(error);  // --help, --version
+    return fail(exit_bad_input, parse_message(*app, error).c_str());
   } catch (const tanktread::driver::InputError& error) {
     return fail(exit_bad_input, error.what());
   } catch (const std::bad_alloc&) {

@@ -22,6 +22,17 @@ TEST(CommandLine, AWordThatIsNoSubcommandIsNamed) {
               HasSubstr("'xyzzy' is no subcommand; tanktread --help lists them"));
 }
 
+TEST(CommandLine, WhatIsMissingOrTooMuchIsSaidOfItsCommand) {
+  const auto none = run_program({"coupler"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.output, HasSubstr("tanktread: error: tanktread coupler: "));
+  EXPECT_THAT(none.output, HasSubstr("; see tanktread coupler --help"));
+  EXPECT_THAT(run_program({"mesh", "sphere"}).output, HasSubstr("tanktread mesh sphere: file is required"));
+  EXPECT_THAT(run_program({"diff", "a", "b", "--blindly"}).output, HasSubstr("see tanktread diff --help"));
+  EXPECT_EQ(run_program({"coupler", "--help"}).exit_code, 0);
+  EXPECT_EQ(run_program({"--version"}).exit_code, 0);
+}
+
 TEST(CommandLine, ResumeWantsTheOutputOfARun) {
   const TemporaryDirectory directory;
   const auto ended = run_program({"run", "--resume", directory.path().string()});
