@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <new>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "driver/case/spelling.hpp"
 #include "driver/command_line.hpp"
 #include "driver/program/errors.hpp"
+#include "driver/program/file_system_error.hpp"
 
 namespace {
 
@@ -69,6 +71,10 @@ int main(int argc, char** argv) {
     return fail(exit_bad_input, parse_message(*app, error).c_str());
   } catch (const tanktread::driver::InputError& error) {
     return fail(exit_bad_input, error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    // A run says by itself what goes wrong between its steps; here it is a path that was given.
+    return fail(tanktread::driver::is_of_device(error) ? exit_run_failed : exit_bad_input,
+                tanktread::driver::message_of(error).c_str());
   } catch (const std::bad_alloc&) {
     return fail(
         exit_run_failed,

@@ -22,7 +22,10 @@ constexpr std::string_view last_element = "</VTKFile>";
 /// @return the name, for one that can be opened
 const fs::path& require_file(const fs::path& file) {
   std::error_code error;
-  if (!fs::exists(file, error)) throw FileError(fmt::format("{}: no such file", file.string()));
+  if (!fs::exists(file, error)) {
+    throw FileError(fmt::format("{}: {}", file.string(),
+                                error ? error.message() + "; give another path" : "no such file"));
+  }
   if (fs::is_directory(file, error))
     throw FileError(fmt::format("{}: is a folder, not a file", file.string()));
   return file;

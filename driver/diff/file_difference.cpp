@@ -12,6 +12,7 @@
 #include "driver/diff/series_difference.hpp"
 #include "driver/diff/table_difference.hpp"
 #include "driver/program/errors.hpp"
+#include "driver/program/file_system_error.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
@@ -118,7 +119,7 @@ DifferenceReport compare_outputs(const fs::path& a, const fs::path& b, const Dif
 } catch (const exchange::FileError& error) {
   throw InputError(error.what());
 } catch (const fs::filesystem_error& error) {
-  throw InputError(error.what());
+  throw InputError(message_of(error));
 }
 
 }  // namespace tanktread::driver

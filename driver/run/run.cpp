@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "driver/plan/duration.hpp"
+#include "driver/program/file_system_error.hpp"
 #include "driver/program/output_directory.hpp"
 #include "driver/program/signals.hpp"
 #include "driver/program/version.hpp"
@@ -42,11 +43,11 @@ void print_closing(const System& system, const Progress& progress, const std::fi
 }
 
 /// Ends the progress line, and the run with an error that names its last good state.
-[[noreturn]] void stop_broken(const std::exception& error, const System& system, Progress& progress,
+[[noreturn]] void stop_broken(const std::string& message, const System& system, Progress& progress,
                               const std::filesystem::path& directory) {
   progress.finish(system.step);
   const auto folders = checkpoint_folders(directory);
-  throw RunError(fmt::format("{}\nlast good state: {}", error.what(),
+  throw RunError(fmt::format("{}\nlast good state: {}", message,
                              folders.empty() ? "none was written" : folders.back().string()));
 }
 
@@ -132,11 +133,11 @@ int run_on(System& system, Passage& passage, const Plan& plan, Output& output,
       passage.stopped(system);
     }
   } catch (const RunError& error) {
-    stop_broken(error, system, progress, directory);
+    stop_broken(error.what(), system, progress, directory);
   } catch (const exchange::FileError& error) {
-    stop_broken(error, system, progress, directory);
+    stop_broken(error.what(), system, progress, directory);
   } catch (const std::filesystem::filesystem_error& error) {
-    stop_broken(error, system, progress, directory);
+    stop_broken(message_of(error), system, progress, directory);
   }
   progress.finish(system.step);
   print_closing(system, progress, directory);

@@ -3,6 +3,7 @@
 from malformed_rows import Row, surface
 
 RUN = "run case.toml --output new"
+TOO_LONG = "a" * 300  # for a name on any file system
 
 SUBCOMMANDS = [
     Row("no subcommand", "", ["subcommand"]),
@@ -51,6 +52,15 @@ RUNS = [
     Row("an output over a run", "run case.toml --output out", ["--output out", "--force", "--resume out"], run=True),
     Row("--force over what is no run", "run case.toml --output . --force", ["--output .", "--force removes an earlier run only"]),
 ]
+
+PATHS = [
+    Row(f"a path that the system refuses: {what}", command, [f"{TOO_LONG}", ": File name too long; give another path"])
+    for what, command in (
+        ("case", f"plan {TOO_LONG}"), ("output", f"run case.toml --output {TOO_LONG}"), ("resume", f"run --resume {TOO_LONG}"),
+        ("record", RUN + f" --record {TOO_LONG}"), ("diff", f"diff {TOO_LONG} case.toml"), ("replay", f"replay {TOO_LONG} --only fluid"),
+        ("surface", f"coupler spread --case case.toml --in {TOO_LONG} --out new.vti"), ("motion", f"membrane --case case.toml --motion twist --out {TOO_LONG}"),
+    )
+]  # fmt: skip
 
 NUMBERS = [
     Row("a level in hexadecimal digits", "mesh sphere --level 0x3 x.vtu", ["--level 0x3", "decimal digits"]),
@@ -136,4 +146,4 @@ DIFFERENCES = [
     Row("a tolerance that is not a number", "diff case.toml case.toml --tolerance nan", ["--tolerance nan"]),
 ]
 
-ROWS = [*SUBCOMMANDS, *RUNS, *NUMBERS, *WRONG_FILES, *STAGES, *MESHES, *STUDIES, *DIFFERENCES]
+ROWS = [*SUBCOMMANDS, *RUNS, *PATHS, *NUMBERS, *WRONG_FILES, *STAGES, *MESHES, *STUDIES, *DIFFERENCES]
