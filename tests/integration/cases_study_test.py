@@ -12,7 +12,7 @@ import unittest
 
 from post_fixture import ROOT, InFolder
 
-from tanktread_post import compare, study
+from tanktread_post import case_analysis, compare, study
 
 SHORTER = {"twisting-sphere": ["--period", "8"]}
 
@@ -40,12 +40,13 @@ class CasesStudy(InFolder):
         for case in sorted(path.parent for path in (ROOT / "cases").glob("*/study.toml")):
             with self.subTest(case=case.name):
                 files = {table["file"] for table in study.read_study(case)["table"]}
+                analysis = case_analysis.load(case)
+                files |= set(analysis.measured(case / "measured", case) if analysis else ())
                 self.assertEqual({file.name for file in (case / "measured").glob("*.csv")}, files)
                 with contextlib.redirect_stdout(io.StringIO()) as printed:
                     self.assertEqual(compare.compare(case / "measured", case), 0, printed.getvalue())
                 for plot in study.read_study(case)["plot"]:
                     self.assertTrue(study.lines_of(case / "measured", plot))
-
 
 
 if __name__ == "__main__":
