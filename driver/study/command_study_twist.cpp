@@ -48,7 +48,8 @@ void add_motion_options(CLI::App& command, TwistArguments& arguments) {
       .add_option(
           "--approach", arguments.approaches,
           "surface: nodes moved exactly; flow: by the velocity interpolated from a grid (default: both)")
-      ->transform(CLI::Transformer(approaches))
+      ->type_name("TEXT")
+      ->transform(CLI::Transformer(approaches).description(""))
       ->transform(CLI::IsMember({"surface", "flow"}));  // which looks first, at the word
   add_number(command, "--amplitude", study.amplitude, "Amplitude A0 of the twist, radians", positive())
       ->capture_default_str();
@@ -83,7 +84,8 @@ void add_law_options(CLI::App& command, TwistArguments& arguments) {
   command
       .add_option("--measure", study.measure,
                   "Rate that the dashpots see: rate-of-deformation (default), rate-of-strain")
-      ->transform(CLI::Transformer(measures))
+      ->type_name("TEXT")
+      ->transform(CLI::Transformer(measures).description(""))
       ->transform(CLI::IsMember({"rate-of-deformation", "rate-of-strain"}));
 }
 

@@ -33,6 +33,14 @@ TEST(CommandLine, WhatIsMissingOrTooMuchIsSaidOfItsCommand) {
   EXPECT_EQ(run_program({"--version"}).exit_code, 0);
 }
 
+TEST(CommandLine, HelpHasTheWordsOfAChoiceAndNotTheirNumbers) {
+  const auto help = run_program({"study", "twisting-sphere", "--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_THAT(help.output, HasSubstr("TEXT:{surface,flow}"));
+  EXPECT_THAT(help.output, HasSubstr("TEXT:{rate-of-deformation,rate-of-strain}"));
+  EXPECT_THAT(help.output, Not(HasSubstr("->")));
+}
+
 TEST(CommandLine, ResumeWantsTheOutputOfARun) {
   const TemporaryDirectory directory;
   const auto ended = run_program({"run", "--resume", directory.path().string()});
