@@ -42,12 +42,13 @@ ResumeStart start_at(const fs::path& directory, const fs::path& folder, Checkpoi
   return start;
 }
 
-/// The step of the latest other checkpoint that the run could go on from.
+/// The step of the latest other checkpoint that the run could go on from. @param accept_gaps as asked for
+/// then
 std::optional<std::int64_t> other_start(const fs::path& directory, const fs::path& folder,
-                                        const Case& the_case, const Output& output) {
+                                        const Case& the_case, const Output& output, bool accept_gaps) {
   for (const auto& other : other_checkpoints(directory, folder)) {
     try {
-      return start_at(directory, other, read_checkpoint(other), the_case, output, false).point.step;
+      return start_at(directory, other, read_checkpoint(other), the_case, output, accept_gaps).point.step;
     } catch (const InputError&) {
     } catch (const exchange::FileError&) {
       // Is no help either.
@@ -56,8 +57,16 @@ std::optional<std::int64_t> other_start(const fs::path& directory, const fs::pat
   return std::nullopt;
 }
 
-std::string advice_for_damage(const fs::path& directory, std::optional<std::int64_t> other) {
-  if (other) return fmt::format("go on from the checkpoint of step {0} with --from-step {0}", *other);
+std::string advice_for_damage(const fs::path& directory, const fs::path& folder, const Case& the_case,
+                              const Output& output) {
+  if (const auto other = other_start(directory, folder, the_case, output, false))
+    return fmt::format("go on from the checkpoint of step {0} with --from-step {0}", *other);
+  if (const auto other = other_start(directory, folder, the_case, output, true)) {
+    return fmt::format(
+        "go on from the checkpoint of step {0}, without rows of observables.csv that are missing, "
+        "with --from-step {0} --accept-gaps",
+        *other);
+  }
   return fmt::format("there is no other that can be used; start the case anew: tanktread run {} --output NEW",
                      exchange::shell_text(directory / "echo.toml"));
 }
@@ -80,15 +89,14 @@ ResumeStart find_start(const fs::path& directory, const Case& the_case, const Ou
   try {
     checkpoint = read_checkpoint(folder);
   } catch (const exchange::FileError& error) {
-    throw InputError(
-        fmt::format("{}\n{}: the checkpoint cannot be used; {}", error.what(), folder.string(),
-                    advice_for_damage(directory, other_start(directory, folder, the_case, output))));
+    throw InputError(fmt::format("{}\n{}: the checkpoint cannot be used; {}", error.what(), folder.string(),
+                                 advice_for_damage(directory, folder, the_case, output)));
   }
   try {
     return start_at(directory, folder, std::move(checkpoint), the_case, output, from.accept_gaps);
   } catch (const exchange::FileError& error) {
     throw InputError(fmt::format("{}\n{}", error.what(),
-                                 advice_for_gap(other_start(directory, folder, the_case, output))));
+                                 advice_for_gap(other_start(directory, folder, the_case, output, false))));
   }
 }
 

@@ -75,6 +75,13 @@ std::vector<Refusal> refusals() {
        [=](const fs::path& run) { write_file(run / last / "output.toml", "rows = -1"); },
        {},
        {"output.toml", "rows", "--from-step 120"}},
+      {"damaged fluid and four rows",  // fewer than those up to step 120
+       [=](const fs::path& run) {
+         keep_half(run / last / "fluid.vti");
+         keep_lines(run / "observables.csv", 1 + 4);
+       },
+       {},
+       {"cannot be used", "--from-step 120 --accept-gaps"}},
       {"all damaged",
        [=](const fs::path& run) {
          for (const auto& step : {last, before}) keep_half(run / step / "fluid.vti");
