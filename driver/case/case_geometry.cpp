@@ -15,24 +15,51 @@ std::string position_path(std::size_t number) {
   return fmt::format("capsule.{}.position", number);
 }
 
-void check_wall(CaseReader& reader, std::size_t number, const Case& the_case, int axis) {
+/// Limits as a user would write them, to three decimals, on the side that is allowed.
+double rounded_up(double limit) {
+  return std::ceil(1000 * limit) / 1000;
+}
+double rounded_down(double limit) {
+  return std::floor(1000 * limit) / 1000;
+}
+
+std::string room_at_walls(const CapsuleCase& capsule, int axis, const Extent& extent, double reach,
+                          double length) {
+  const double long_by = extent.below + extent.above, room = length - 2 * reach;
+  const double lowest = rounded_up(extent.below + reach),
+               highest = rounded_down(length - extent.above - reach);
+  if (lowest <= highest) return fmt::format("{} must be from {:.9g} to {:.9g}", "xyz"[axis], lowest, highest);
+  const double largest = rounded_down(capsule.radius * room / long_by);
+  return fmt::format("flow.box along {} must be at least {:.0f}{}", "xyz"[axis],
+                     std::ceil(long_by + 2 * reach),
+                     largest > 0 ? fmt::format(", or the radius at most {:.9g}", largest) : "");
+}
+
+std::optional<Objection> wall_objection(const Case& the_case, std::size_t number, int axis,
+                                        const Extent& extent) {
   const auto& capsule = the_case.capsules[number];
   const auto& kernel = the_case.coupler.kernel;
   const auto reach = kernel_half_width(kernel);
   const double length = the_case.flow.box[axis];
-  const double gap = gap_along(the_case, capsule, axis);
-  if (!reach || gap >= *reach || !is_sphere(capsule)) return;
-  const double least = capsule.radius + *reach;
-  const auto fix =
-      2 * least <= length
-          ? fmt::format("{} must be from {:.6g} to {:.6g}", "xyz"[axis], least, length - least)
-          : fmt::format("flow.box along {0} must be at least {1:.0f}, or the radius at most {2:.6g}",
-                        "xyz"[axis], std::ceil(2 * least), length / 2 - *reach);
-  reader.problem(
+  const double gap = gap_to_walls(the_case, capsule, axis, extent);
+  if (!reach || gap >= *reach) return std::nullopt;
+  return Objection{
       position_path(number),
       fmt::format("leaves {:.6g} grid steps between capsule and wall, but the kernel {} reaches {:g} "
                   "from the membrane and has no correction at a wall; {}",
-                  gap, kernel, *reach, fix));
+                  gap, kernel, *reach, room_at_walls(capsule, axis, extent, *reach, length))};
+}
+
+std::optional<Objection> image_objection(const Case& the_case, std::size_t number, int axis,
+                                         const Extent& extent) {
+  const double length = the_case.flow.box[axis], long_by = extent.below + extent.above;
+  if (long_by < length) return std::nullopt;
+  return Objection{
+      fmt::format("capsule.{}.radius", number),
+      fmt::format(
+          "the capsule is {:.6g} grid steps long, but its own periodic image only {:g} away along {}; "
+          "make the radius less than {:.9g}, or flow.box longer",
+          long_by, length, "xyz"[axis], rounded_down(the_case.capsules[number].radius * length / long_by))};
 }
 
 void check_place(CaseReader& reader, std::size_t number, const Case& the_case) {
@@ -42,14 +69,9 @@ void check_place(CaseReader& reader, std::size_t number, const Case& the_case) {
     if (!(at >= 0 && at <= length)) {
       reader.problem(position_path(number),
                      fmt::format("lies outside the box; {} must be from 0 to {:g}", "xyz"[axis], length));
-    } else if (has_walls(the_case, axis)) {
-      check_wall(reader, number, the_case, axis);
-    } else if (2 * capsule.radius >= length && is_sphere(capsule)) {
-      reader.problem(
-          fmt::format("capsule.{}.radius", number),
-          fmt::format("the capsule overlaps its own periodic image, {:g} grid steps away along {}; "
-                      "make the radius less than {:g}, or flow.box longer",
-                      length, "xyz"[axis], length / 2));
+    } else if (is_sphere(capsule)) {
+      const auto objection = objection_along(the_case, number, axis, extent_of_sphere(capsule));
+      if (objection) reader.problem(objection->path, objection->what);
     }
   }
 }
@@ -92,9 +114,19 @@ bool is_sphere(const CapsuleCase& capsule) {
   return capsule.mesh.file.empty();
 }
 
-double gap_along(const Case& the_case, const CapsuleCase& capsule, int axis) {
-  const double length = the_case.flow.box[axis], at = capsule.position[axis];
-  return has_walls(the_case, axis) ? std::min(at, length - at) - capsule.radius : length - 2 * capsule.radius;
+Extent extent_of_sphere(const CapsuleCase& capsule) {
+  return {capsule.radius, capsule.radius};
+}
+
+double gap_to_walls(const Case& the_case, const CapsuleCase& capsule, int axis, const Extent& extent) {
+  const double at = capsule.position[axis];
+  return std::min(at - extent.below, the_case.flow.box[axis] - at - extent.above);
+}
+
+std::optional<Objection> objection_along(const Case& the_case, std::size_t number, int axis,
+                                         const Extent& extent) {
+  return has_walls(the_case, axis) ? wall_objection(the_case, number, axis, extent)
+                                   : image_objection(the_case, number, axis, extent);
 }
 
 double distance_between(const Case& the_case, const CapsuleCase& a, const CapsuleCase& b) {

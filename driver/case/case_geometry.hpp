@@ -1,5 +1,9 @@
-// Where the capsules of a case lie: distances that its checks and its warnings look at.
+// Where the capsules of a case have room: what is the same for a sphere, which is known by its radius, and
+// for a mesh from a file, which is known when it has been read (driver/system/placement.hpp).
 #pragma once
+
+#include <optional>
+#include <string>
 
 #include "driver/case/case.hpp"
 
@@ -8,12 +12,27 @@ namespace tanktread::driver {
 /// The axis has walls at its ends; else it is periodic.
 bool has_walls(const Case& the_case, int axis);
 
-/// Only of a sphere does the radius say where the membrane is; a mesh from a file is checked by the coupler.
+/// Its membrane is a sphere of its radius, not a mesh from a file.
 bool is_sphere(const CapsuleCase& capsule);
 
-/// From the sphere of `radius` to the nearer wall (negative: beyond it), or to its periodic image, grid
-/// steps.
-double gap_along(const Case& the_case, const CapsuleCase& capsule, int axis);
+/// How far a membrane reaches down and up an axis from the position of its capsule, grid steps.
+struct Extent {
+  double below = 0, above = 0;
+};
+Extent extent_of_sphere(const CapsuleCase& capsule);
+
+/// From a membrane to the nearer wall, grid steps; negative: beyond it.
+double gap_to_walls(const Case& the_case, const CapsuleCase& capsule, int axis, const Extent& extent);
+
+/// What stands against a key of the case.
+struct Objection {
+  std::string path;  ///< "capsule.0.position"
+  std::string what;  ///< what is wrong, the numbers and the fix
+};
+/// A membrane is nearer to a wall than the kernel reaches (where the kernel is known), or as long as the way
+/// to its own periodic image; nothing: it has room along that axis.
+std::optional<Objection> objection_along(const Case& the_case, std::size_t number, int axis,
+                                         const Extent& extent);
 
 /// Distance of two centres, to the nearest periodic image, grid steps.
 double distance_between(const Case& the_case, const CapsuleCase& a, const CapsuleCase& b);

@@ -6,6 +6,7 @@
 #include "driver/plan/warnings.hpp"
 #include "driver/program/memory.hpp"
 #include "driver/system/components.hpp"
+#include "driver/system/placement.hpp"
 #include "driver/units/schedule.hpp"
 
 namespace tanktread::driver {
@@ -44,7 +45,7 @@ Plan make_plan(const Case& the_case, std::vector<membrane::TriangleMesh> meshes,
   // A program of the user's is not tried: a run starts it once.
   const auto probe = has_program(the_case) ? Probe() : try_case(the_case, plan.parameters, plan.meshes);
   plan.cost = predict_cost(the_case, plan.parameters, plan.meshes, probe);
-  auto warning_lines = warnings(the_case, plan.parameters, mean_edges);
+  auto warning_lines = warnings(the_case, plan.parameters, mean_edges, Placement(the_case, plan.meshes));
   if (!probe.breakdown.empty()) {
     warning_lines.push_back("the first steps of the case, tried now, break down: " + probe.breakdown);
   }

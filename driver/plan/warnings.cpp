@@ -50,30 +50,38 @@ void warn_of_flow(Lines& lines, const Case& the_case, const Parameters& p) {
   }
 }
 
-void warn_of_gaps(Lines& lines, std::size_t number, const Case& the_case) {
+std::string too_near(std::size_t number, const Case& the_case, double gap, const std::string& what) {
+  return fmt::format("capsule {} is {:.3g} radii from {}, less than 1: it will feel it; enlarge flow.box",
+                     number, gap / the_case.capsules[number].radius, what);
+}
+
+void warn_of_walls(Lines& lines, std::size_t number, const Case& the_case, const Placement& placement) {
   const auto& capsule = the_case.capsules[number];
   for (int axis = 0; axis < 3; ++axis) {
-    const bool is_wall = has_walls(the_case, axis);
-    const double gap = gap_along(the_case, capsule, axis);
+    if (!has_walls(the_case, axis)) continue;
+    const double gap = gap_to_walls(the_case, capsule, axis, placement.extent(number, axis));
     if (gap >= capsule.radius) continue;
-    lines.push_back(
-        fmt::format("capsule {} is {:.3g} radii from {} along {}, less than 1: it will feel it; "
-                    "enlarge flow.box{}",
-                    number, gap / capsule.radius, is_wall ? "the wall" : "its periodic image", "xyz"[axis],
-                    is_wall ? fmt::format(" or move capsule.{}.position", number) : ""));
+    lines.push_back(too_near(number, the_case, gap, fmt::format("the wall along {}", "xyz"[axis])) +
+                    fmt::format(" or move capsule.{}.position", number));
   }
 }
 
-void warn_of_neighbours(Lines& lines, std::size_t number, const Case& the_case) {
+void warn_of_images(Lines& lines, std::size_t number, const Case& the_case, const Placement& placement) {
+  const double radius = the_case.capsules[number].radius;
+  for (const auto& image : placement.images(number, radius)) {
+    lines.push_back(too_near(number, the_case, image.distance, "its periodic image along " + image.axes));
+  }
+}
+
+void warn_of_neighbours(Lines& lines, std::size_t number, const Case& the_case, const Placement& placement) {
   const auto& kernel = coupler::kernel(the_case.coupler.kernel);
   for (std::size_t other = 0; other < number; ++other) {
-    const auto &a = the_case.capsules[other], &b = the_case.capsules[number];
-    const double gap = distance_between(the_case, a, b) - a.radius - b.radius;
-    if (gap >= 2 * kernel.half_width) continue;
+    const auto nearest = placement.nearest(other, number, 2 * kernel.half_width);
+    if (!nearest || nearest->distance >= 2 * kernel.half_width) continue;
     lines.push_back(
         fmt::format("capsules {} and {} are {:.3g} grid steps apart, less than the width {:g} of "
                     "kernel {}: the fluid between them is not resolved; change capsule.{}.position",
-                    other, number, gap, 2 * kernel.half_width, kernel.name, number));
+                    other, number, nearest->distance, 2 * kernel.half_width, kernel.name, number));
   }
 }
 
@@ -197,15 +205,16 @@ void warn_of_rounding(Lines& lines, const Case& the_case, const Parameters& p) {
 }  // namespace
 
 std::vector<std::string> warnings(const Case& the_case, const Parameters& parameters,
-                                  const std::vector<double>& mean_edges) {
+                                  const std::vector<double>& mean_edges, const Placement& placement) {
   Lines lines;
   warn_of_flow(lines, the_case, parameters);
   for (std::size_t k = 0; k < the_case.capsules.size(); ++k) {
     warn_of_membrane(lines, k, the_case, mean_edges);
     warn_of_capillary_number(lines, k, the_case);
     warn_of_viscosity(lines, k, the_case, parameters);
-    warn_of_gaps(lines, k, the_case);
-    warn_of_neighbours(lines, k, the_case);
+    warn_of_walls(lines, k, the_case, placement);
+    warn_of_images(lines, k, the_case, placement);
+    warn_of_neighbours(lines, k, the_case, placement);
   }
   warn_of_rounding(lines, the_case, parameters);
   for (auto& line : si_warnings(the_case, parameters)) lines.push_back(std::move(line));

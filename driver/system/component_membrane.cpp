@@ -5,6 +5,7 @@
 
 #include "driver/packets/surface_mesh.hpp"
 #include "driver/system/components.hpp"
+#include "driver/system/placement.hpp"
 #include "driver/units/laws.hpp"
 #include "exchange/vtk_files.hpp"
 
@@ -59,6 +60,7 @@ std::vector<membrane::TriangleMesh> reference_meshes(const Case& the_case) {
   std::vector<membrane::TriangleMesh> meshes;
   for (std::size_t k = 0; k < the_case.capsules.size(); ++k)
     meshes.push_back(reference_mesh(the_case, k).mesh);
+  check_placement(the_case, meshes);
   return meshes;
 }
 

@@ -33,7 +33,7 @@ struct ReferenceMesh {
 /// radius by its volume. @throws InputError if the file is not a surface that can be a membrane, or has
 /// another hash than the case says
 ReferenceMesh reference_mesh(const Case& the_case, std::size_t capsule);
-/// Those of all capsules.
+/// Those of all capsules. @throws InputError also if one of them has no room (check_placement)
 std::vector<membrane::TriangleMesh> reference_meshes(const Case& the_case);
 
 /// The membranes of a case at rest. @param meshes the reference mesh of each capsule

@@ -61,8 +61,8 @@ TEST(CaseGeometry, Distances) {
   first.position = {1, 1, 2};
   second.position = {1, 49, 2};
   EXPECT_EQ(tanktread::driver::distance_between(the_case, first, second), 48.0);
-  EXPECT_EQ(tanktread::driver::gap_along(the_case, second, 1), 1.0 - 7.0);
-  EXPECT_EQ(tanktread::driver::gap_along(the_case, second, 0), 40.0 - 14.0);
+  EXPECT_EQ(tanktread::driver::gap_to_walls(the_case, second, 1, {7, 5}), 50.0 - 49.0 - 5.0);
+  EXPECT_EQ(tanktread::driver::gap_to_walls(the_case, first, 1, {7, 5}), 1.0 - 7.0);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "driver/plan/warnings.hpp"
 #include "driver/plan/warnings_si.hpp"
+#include "driver/system/components.hpp"
 #include "tests/unit/case_samples.hpp"
 
 namespace {
@@ -32,7 +33,8 @@ capillary_number = 0.3
 std::vector<std::string> warnings_of(const std::vector<std::string>& assignments,
                                      const std::vector<double>& mean_edges = {}) {
   const auto the_case = parse(quiet_case, assignments);
-  return warnings(the_case, parameters(the_case), mean_edges);
+  return warnings(the_case, parameters(the_case), mean_edges,
+                  Placement(the_case, reference_meshes(the_case)));
 }
 
 TEST(CaseWarnings, NoneWithoutReason) {
@@ -90,7 +92,7 @@ TEST(CaseWarnings, Neighbours) {
   const auto with_second = [](const std::string& x) {
     const auto the_case =
         parse(quiet_case + "[[capsule]]\nradius = 6\nposition = [" + x + ", 20, 20]\n", {"flow.box.0=80"});
-    return warnings(the_case, parameters(the_case), {});
+    return warnings(the_case, parameters(the_case), {}, Placement(the_case, reference_meshes(the_case)));
   };
   EXPECT_THAT(with_second("36"), IsEmpty());  // 4 grid steps apart: the width of cosine4
   EXPECT_THAT(with_second("35.9"),

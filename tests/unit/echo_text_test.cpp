@@ -7,6 +7,7 @@
 #include "driver/plan/echo.hpp"
 #include "driver/plan/echo_table.hpp"
 #include "driver/plan/warnings.hpp"
+#include "driver/system/components.hpp"
 #include "tests/unit/case_samples.hpp"
 
 namespace {
@@ -19,7 +20,8 @@ using ::testing::Not;
 
 std::string echo_of(const Case& the_case, const Cost& cost = {}, const std::vector<double>& mean_edges = {}) {
   const auto p = parameters(the_case);
-  return echo(the_case, p, cost, warnings(the_case, p, mean_edges), mean_edges);
+  const Placement placement(the_case, reference_meshes(the_case));
+  return echo(the_case, p, cost, warnings(the_case, p, mean_edges, placement), mean_edges);
 }
 
 /// The line of a name, its spaces drawn together, or "".
