@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "membrane/element.hpp"
+#include "membrane/mesh_parts.hpp"
 #include "membrane/shape.hpp"
 
 namespace tanktread::membrane {
@@ -125,6 +126,31 @@ void measure_edges(const TriangleMesh& mesh, MeshReport& report) {
   }
 }
 
+/// What adds up over parts says nothing of a part: a torus and a sphere have the Euler number of one sphere.
+void measure_parts(const TriangleMesh& mesh, MeshReport& report) {
+  const auto part = parts_of(mesh.triangles);
+  const int n_parts = *std::ranges::max_element(part) + 1;
+  if (n_parts == 1) {
+    report.parts = {{report.n_triangles, report.euler_characteristic, report.volume}};
+    return;
+  }
+  std::vector<std::vector<int>> triangles(n_parts);
+  for (int t = 0; t < mesh.triangles.cols(); ++t) triangles[part[t]].push_back(t);
+  for (const auto& numbers : triangles) {
+    const auto alone = inspect({mesh.points, mesh.triangles(Eigen::all, numbers)});
+    report.parts.push_back({alone.n_triangles, alone.euler_characteristic, alone.volume});
+  }
+}
+
+/// " (of 320, 4 triangles)", the first few.
+std::string sizes_text(const std::vector<MeshPart>& parts) {
+  constexpr std::size_t n_most = 8;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(n_most, parts.size()); ++k)
+    text += (k == 0 ? "" : ", ") + std::to_string(parts[k].n_triangles);
+  return "of " + text + (parts.size() > n_most ? " ... triangles" : " triangles");
+}
+
 }  // namespace
 
 TriangleMesh icosphere(int level, double radius, const Eigen::Vector3d& centre) {
@@ -160,6 +186,8 @@ MeshReport inspect(const TriangleMesh& mesh) {
   }
   report.n_unused_nodes = static_cast<int>(std::count(used.begin(), used.end(), 0));
   report.euler_characteristic = report.n_nodes - report.n_unused_nodes - report.n_edges + report.n_triangles;
+  report.n_pinched_nodes = count_pinched_nodes(mesh.triangles);
+  measure_parts(mesh, report);
   return report;
 }
 
@@ -173,15 +201,26 @@ std::vector<std::string> defects(const MeshReport& report) {
   if (!report.consistent_winding) {
     found.push_back("neighbouring triangles are wound against each other; orient all of them the same way");
   }
-  if (report.closed && report.consistent_winding && !(report.volume > 0)) {
+  // Of the flattest disc that can be run the ratio is a million times that.
+  constexpr double least_volume = 1e-9;  // over the area^(3/2); of a sphere 0.094
+  const bool is_whole = report.closed && report.consistent_winding && report.parts.size() == 1;
+  if (report.closed && report.parts.size() > 1) {
+    found.push_back("the surface is " + std::to_string(report.parts.size()) + " separate parts (" +
+                    sizes_text(report.parts) +
+                    "); a membrane is one closed surface: give each part a mesh of its own");
+  }
+  if (is_whole && std::abs(report.volume) <= least_volume * std::pow(report.area, 1.5)) {
+    found.push_back("the surface encloses no volume; make it a body");
+  } else if (is_whole && report.volume < 0) {
     found.push_back("the surface is inside out (volume " + std::to_string(report.volume) +
                     "); reverse every triangle");
   }
-  if (report.closed && report.consistent_winding && report.euler_characteristic != 2) {
+  if (report.closed && report.n_pinched_nodes > 0) {
+    found.push_back("surfaces touch each other in " + std::to_string(report.n_pinched_nodes) +
+                    " nodes without an edge in common; part them there");
+  } else if (is_whole && report.euler_characteristic != 2) {
     found.push_back("the surface is not one sphere (nodes - edges + triangles is " +
-                    std::to_string(report.euler_characteristic) +
-                    ", must be 2); give each closed surface a mesh of its own, fill handles, part surfaces "
-                    "that share a node");
+                    std::to_string(report.euler_characteristic) + ", must be 2); fill its handles");
   }
   if (report.n_degenerate > 0) {
     found.push_back(std::to_string(report.n_degenerate) +

@@ -20,6 +20,13 @@ struct TriangleMesh {
 /// @throws std::invalid_argument unless 0 <= level <= 8 and radius > 0
 TriangleMesh icosphere(int level, double radius, const Eigen::Vector3d& centre = Eigen::Vector3d::Zero());
 
+/// A part of a surface that hangs together by edges.
+struct MeshPart {
+  int n_triangles = 0;
+  int euler_characteristic = 0;
+  double volume = 0;  ///< as MeshReport::volume
+};
+
 /// What `tanktread mesh info` prints.
 struct MeshReport {
   int n_nodes = 0, n_triangles = 0, n_edges = 0;
@@ -32,7 +39,9 @@ struct MeshReport {
   bool outward = false;             ///< closed, consistently wound, volume > 0
   int n_unused_nodes = 0;           ///< nodes of no triangle
   int n_degenerate = 0;             ///< triangles whose area is below 1e-12 of edge_max squared
-  int euler_characteristic = 0;     ///< nodes - edges + triangles; 2 for a sphere
+  int n_pinched_nodes = 0;          ///< nodes at which surfaces touch: their triangles are not one fan
+  int euler_characteristic = 0;     ///< nodes - edges + triangles; 2 for a sphere; adds up over parts
+  std::vector<MeshPart> parts;      ///< at least one, in the order of their first triangles
 };
 /// @throws std::invalid_argument if the mesh has no triangle, a triangle names a node that does not exist, or
 /// a point is not finite

@@ -44,7 +44,13 @@ void require_no_defects(const membrane::MeshReport& report, const std::string& f
   for (const auto& defect : membrane::defects(report)) {
     message += fmt::format("{}{}: {}", message.empty() ? "" : "\n", file, defect);
   }
-  if (!message.empty()) throw InputError(message);
+  if (message.empty()) return;
+  if (report.closed && report.parts.size() > 1) {
+    message += fmt::format(
+        "\n{}: python3 -m tanktread_post convert-surface IN OUT --body N writes part N of 0 to {}", file,
+        report.parts.size() - 1);
+  }
+  throw InputError(message);
 }
 
 Eigen::Matrix3Xd to_matrix(const std::vector<double>& values) {

@@ -33,6 +33,12 @@ std::string report_text(const membrane::MeshReport& report, const std::string& h
   text += fmt::format("winding consistent  {}, outward {}\n", yes_or_no(report.consistent_winding),
                       yes_or_no(report.outward));
   text += fmt::format("Euler number        {}\n", report.euler_characteristic);
+  text += fmt::format("parts               {}\n", report.parts.size());
+  for (std::size_t k = 0; k < report.parts.size() && report.parts.size() > 1; ++k) {
+    const auto& part = report.parts[k];
+    text += fmt::format("  part {:<12} {} triangles, volume {:.6g}, Euler number {}\n", k, part.n_triangles,
+                        part.volume, part.euler_characteristic);
+  }
   text += fmt::format("hash                {}\n", hash);
   return text;
 }

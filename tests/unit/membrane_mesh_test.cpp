@@ -150,8 +150,7 @@ TEST(MeshDefects, FindANodeOfNoTriangle) {
 
 TEST(MeshDefects, FindTwoSurfacesInOneMesh) {
   const auto mesh = joined(icosphere(1, 1), icosphere(0, 1, {5, 0, 0}));
-  EXPECT_THAT(defects_of(mesh),
-              ElementsAre(AllOf(HasSubstr("not one sphere"), HasSubstr("is 4, must be 2"))));
+  EXPECT_THAT(defects_of(mesh), ElementsAre(HasSubstr("is 2 separate parts (of 80, 20 triangles)")));
 }
 
 TEST(MeshDefects, FindTwoSpheresThatShareANode) {
@@ -159,7 +158,72 @@ TEST(MeshDefects, FindTwoSpheresThatShareANode) {
   for (int k = 0; k < mesh.triangles.size(); ++k)
     if (mesh.triangles.data()[k] == 23) mesh.triangles.data()[k] = 0;
   mesh.points.conservativeResize(3, 23);
-  EXPECT_THAT(defects_of(mesh), ElementsAre(HasSubstr("is 3, must be 2")));
+  EXPECT_THAT(defects_of(mesh), ElementsAre(HasSubstr("2 separate parts (of 20, 20 triangles)"),
+                                            HasSubstr("touch each other in 1 nodes")));
+}
+
+/// A torus of n x n squares, each of two triangles; wound outwards.
+TriangleMesh torus(int n) {
+  TriangleMesh mesh;
+  mesh.points.resize(3, n * n);
+  mesh.triangles.resize(3, 2 * n * n);
+  const auto node = [n](int i, int j) { return i % n * n + j % n; };
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const double along = 2 * std::numbers::pi * i / n, around = 2 * std::numbers::pi * j / n;
+      const double distance = 3 + std::cos(around);
+      mesh.points.col(node(i, j)) << distance * std::cos(along), distance * std::sin(along), std::sin(around);
+      mesh.triangles.col(2 * node(i, j)) << node(i, j), node(i + 1, j), node(i + 1, j + 1);
+      mesh.triangles.col(2 * node(i, j) + 1) << node(i, j), node(i + 1, j + 1), node(i, j + 1);
+    }
+  }
+  return mesh;
+}
+
+TEST(MeshDefects, FindAHandle) {
+  EXPECT_THAT(defects_of(torus(8)), ElementsAre(AllOf(HasSubstr("is 0, must be 2"), HasSubstr("handles"))));
+}
+
+// Numbers that add up over parts do not tell them.
+TEST(MeshDefects, FindPartsThatTogetherHaveTheNumbersOfOneSphere) {
+  const auto both = joined(torus(8), icosphere(0, 1, {9, 0, 0}));
+  const auto report = inspect(both);
+  EXPECT_EQ(report.euler_characteristic, 2);
+  EXPECT_TRUE(report.closed && report.consistent_winding && report.outward);
+  ASSERT_EQ(report.parts.size(), 2);
+  EXPECT_EQ(report.parts[0].n_triangles, 128);
+  EXPECT_EQ(report.parts[0].euler_characteristic, 0);
+  EXPECT_EQ(report.parts[1].n_triangles, 20);
+  EXPECT_EQ(report.parts[1].euler_characteristic, 2);
+  EXPECT_NEAR(report.parts[0].volume + report.parts[1].volume, report.volume, 1e-12 * report.volume);
+  EXPECT_THAT(defects(report), ElementsAre(HasSubstr("is 2 separate parts (of 128, 20 triangles)")));
+  // A part that is inside out is not hidden by the volume of the other.
+  const auto hollow = inspect(joined(icosphere(1, 5), turned_inside_out(icosphere(0, 1))));
+  EXPECT_GT(hollow.volume, 0);
+  EXPECT_LT(hollow.parts[1].volume, 0);
+  EXPECT_THAT(defects(hollow), ElementsAre(HasSubstr("2 separate parts")));
+}
+
+TEST(MeshDefects, FindASphereThatTouchesItselfInANode) {
+  auto mesh = icosphere(1, 1);
+  // The ends of an axis become one node: a sphere pinched together in the middle.
+  int low = 0, high = 0;
+  mesh.points.row(2).minCoeff(&low);
+  mesh.points.row(2).maxCoeff(&high);
+  for (int k = 0; k < mesh.triangles.size(); ++k)
+    if (mesh.triangles.data()[k] == high) mesh.triangles.data()[k] = low;
+  EXPECT_EQ(inspect(mesh).n_pinched_nodes, 1);
+  EXPECT_EQ(inspect(mesh).parts.size(), 1);
+  EXPECT_THAT(defects_of(mesh), ::testing::Contains(HasSubstr("touch each other in 1 nodes")));
+}
+
+TEST(MeshDefects, FindASurfaceWithoutAVolume) {
+  auto mesh = icosphere(2, 1);
+  mesh.points.row(2) *= 1e-10;
+  EXPECT_THAT(defects_of(mesh), ElementsAre(HasSubstr("encloses no volume")));
+  mesh = icosphere(2, 1);
+  mesh.points.row(2) *= 1e-3;
+  EXPECT_THAT(defects_of(mesh), IsEmpty());
 }
 
 TEST(MeshReport, RefusesWhatIsNoMesh) {
