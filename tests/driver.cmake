@@ -22,7 +22,7 @@ set_source_files_properties(unit/case_schema_test.cpp PROPERTIES
 tanktread_test(study_test SOURCES verification/study_maxwell_test.cpp verification/study_noise_test.cpp verification/study_kernel_test.cpp
   verification/study_twist_test.cpp LIBRARIES tanktread_driver)
 tanktread_test(stages_test SOURCES integration/stages_test.cpp integration/replay_test.cpp
-  integration/mesh_file_test.cpp integration/cells_from_files_test.cpp integration/program.cpp
+  integration/mesh_file_test.cpp integration/cells_from_files_test.cpp integration/output_file_test.cpp integration/program.cpp
   LIBRARIES tanktread_driver)
 target_compile_definitions(stages_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
 add_dependencies(stages_test tanktread)

@@ -37,7 +37,12 @@ Plan make_plan(const Case& the_case, std::vector<membrane::TriangleMesh> meshes,
   plan.the_case = the_case;
   plan.parameters = parameters(the_case);
   plan.meshes = std::move(meshes);
-  if (plan.meshes.empty()) make_meshes(plan);
+  std::vector<std::string> remarks;
+  if (plan.meshes.empty()) {
+    make_meshes(plan);
+    check_placement(the_case, plan.meshes);
+    remarks = remarks_on_mesh_files(the_case);
+  }
   std::vector<double> mean_edges;
   for (const auto& mesh : plan.meshes) mean_edges.push_back(membrane::inspect(mesh).edge_mean);
   require_memory_for(the_case, plan.meshes, held_bytes);
@@ -46,6 +51,7 @@ Plan make_plan(const Case& the_case, std::vector<membrane::TriangleMesh> meshes,
   const auto probe = has_program(the_case) ? Probe() : try_case(the_case, plan.parameters, plan.meshes);
   plan.cost = predict_cost(the_case, plan.parameters, plan.meshes, probe);
   auto warning_lines = warnings(the_case, plan.parameters, mean_edges, Placement(the_case, plan.meshes));
+  warning_lines.insert(warning_lines.begin(), remarks.begin(), remarks.end());
   if (!probe.breakdown.empty()) {
     warning_lines.push_back("the first steps of the case, tried now, break down: " + probe.breakdown);
   }

@@ -96,6 +96,12 @@ void check_output_directory(const std::filesystem::path& directory, bool force) 
                     "echo.toml); choose another directory",
                     directory.string()));
   }
+  if (std::filesystem::exists(directory / "begin")) {
+    throw InputError(fmt::format(
+        "--output {}: --force removes an earlier run only, and it holds a record of --record; choose "
+        "another directory, or remove the record yourself",
+        directory.string()));
+  }
 }
 
 bool is_temporary(const std::filesystem::path& file) {

@@ -9,6 +9,7 @@
 #include "driver/program/commands.hpp"
 #include "driver/program/errors.hpp"
 #include "driver/program/number_option.hpp"
+#include "driver/program/output_file.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
@@ -60,6 +61,7 @@ void add_sphere_command(CLI::App& mesh, int& exit_code) {
   add_number(*command, "--centre", arguments->centre, "Centre x y z, grid steps", {})->capture_default_str();
   command->add_option("file", arguments->file, "File to write (.vtu)")->required();
   command->callback([=, &exit_code] {
+    check_output({"mesh sphere", arguments->file}, surface_output());
     const auto& centre = arguments->centre;
     const auto sphere =
         membrane::icosphere(arguments->level, arguments->radius, {centre[0], centre[1], centre[2]});

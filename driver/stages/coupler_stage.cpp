@@ -2,6 +2,7 @@
 
 #include "driver/packets/packet_files.hpp"
 #include "driver/program/memory.hpp"
+#include "driver/program/output_file.hpp"
 #include "driver/stages/stage_errors.hpp"
 #include "driver/stages/stages.hpp"
 #include "driver/system/components.hpp"
@@ -18,7 +19,7 @@ void require_memory_for_grid(const Case& the_case) {
 }
 
 void run(const SpreadStage& stage) {
-  require_place(stage.out);
+  check_output({"--out", stage.out}, grid_output(), {{"--in", stage.in}});
   require_memory_for_grid(stage.the_case);
   const auto file = exchange::read_surface(stage.in);
   const auto surfaces = surfaces_of(file, stage.in.string());
@@ -30,7 +31,7 @@ void run(const SpreadStage& stage) {
 }
 
 void run(const InterpolateStage& stage) {
-  require_place(stage.out);
+  check_output({"--out", stage.out}, surface_output(), {{"--in", stage.in}, {"--grid", stage.grid}});
   require_memory_for_grid(stage.the_case);
   const auto file = exchange::read_surface(stage.in);
   const auto surfaces = surfaces_of(file, stage.in.string());

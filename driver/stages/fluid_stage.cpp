@@ -4,6 +4,7 @@
 #include "driver/packets/packet_files.hpp"
 #include "driver/packets/saved_state.hpp"
 #include "driver/program/memory.hpp"
+#include "driver/program/output_file.hpp"
 #include "driver/stages/stage_errors.hpp"
 #include "driver/stages/stages.hpp"
 #include "driver/stages/state_case.hpp"
@@ -36,9 +37,12 @@ void take_steps(fluid::Fluid& fluid, const FluidStage& stage) {
 }
 
 void check_places(const FluidStage& stage) {
-  require_place(stage.out);
+  // A state may be carried on in its place.
+  const std::vector<NamedFile> inputs = {{"--force", stage.force}};
+  check_output({"--out", stage.out}, grid_output(), inputs);
   if (stage.fields.empty()) return;
-  require_place(stage.fields);
+  check_output({"--fields", stage.fields}, grid_output(),
+               {{"--state", stage.state}, {"--force", stage.force}});
   if (std::filesystem::weakly_canonical(stage.fields) == std::filesystem::weakly_canonical(stage.out)) {
     throw InputError("--fields and --out name one file, " + stage.out.string() + "; give two names");
   }

@@ -1,4 +1,5 @@
 #include "driver/packets/packet_files.hpp"
+#include "driver/program/output_file.hpp"
 #include "driver/stages/stage_errors.hpp"
 #include "driver/stages/stages.hpp"
 #include "driver/stages/state_case.hpp"
@@ -53,8 +54,14 @@ void write_start(const MembraneStage& stage, const std::vector<CapsuleMembrane>&
   exchange::write_surface(stage.out, file);
 }
 
+std::vector<NamedFile> inputs_of(const MembraneStage& stage) {
+  std::vector<NamedFile> inputs = {{"--in", stage.in}};  // a state may be carried on in its place
+  for (const auto& capsule : stage.the_case.capsules) inputs.push_back({"mesh.file", capsule.mesh.file});
+  return inputs;
+}
+
 void run(const MembraneStage& stage) {
-  require_place(stage.out);
+  check_output({"--out", stage.out}, surface_output(), inputs_of(stage));
   const auto numbers = parameters(stage.the_case);
   auto membranes = make_membranes(stage.the_case, numbers, reference_meshes(stage.the_case));
   if (!stage.state.empty()) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <exception>
-#include <filesystem>
 #include <utility>
 
 #include "driver/program/errors.hpp"
@@ -23,18 +22,6 @@ void with_stage_errors(Stage stage) {
     if ((... || (dynamic_cast<const Failures*>(&error) != nullptr))) throw RunError(error.what());
     throw;
   }
-}
-
-/// An output that cannot be written must not be found out after the work. @throws InputError if the file's
-/// folder is not there, or the file is a folder
-inline void require_place(const std::filesystem::path& file) {
-  const auto folder = std::filesystem::absolute(file).parent_path();
-  if (!std::filesystem::is_directory(folder)) {
-    throw InputError(file.string() + ": there is no folder " + folder.string() +
-                     "; make it, or give another name");
-  }
-  if (std::filesystem::is_directory(file))
-    throw InputError(file.string() + ": is a folder; give the name of a file");
 }
 
 }  // namespace tanktread::driver

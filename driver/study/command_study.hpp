@@ -10,6 +10,7 @@
 #include "driver/program/commands.hpp"
 #include "driver/program/errors.hpp"
 #include "driver/program/number_option.hpp"
+#include "driver/program/output_file.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
@@ -25,8 +26,10 @@ inline void add_file_option(CLI::App& command, std::string& file) {
 }
 
 /// Writes the table that `make` returns; what the studies refuse is bad input.
+/// @param header the table of no study: only such a table is replaced
 template <class Make>
-void write_table(const std::string& file, const Make& make) {
+void write_table(const std::string& file, const std::string& header, const Make& make) {
+  check_output({"--out", file}, table_output(header));
   try {
     exchange::write_text(file, make());
   } catch (const std::invalid_argument& error) {

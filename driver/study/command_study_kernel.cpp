@@ -17,7 +17,7 @@ void add_kernel_study(CLI::App& study, int& exit_code) {
       ->capture_default_str();
   add_file_option(*command, *file);
   command->callback([=, &exit_code] {
-    write_table(*file, [&] { return kernel_table(*kernel); });
+    write_table(*file, kernel_table_header, [&] { return kernel_table(*kernel); });
     exit_code = 0;
   });
 }

@@ -44,7 +44,7 @@ void add_maxwell_study(CLI::App& study, int& exit_code) {
       ->capture_default_str();
   add_file_option(*command, arguments->file);
   command->callback([=, &exit_code] {
-    write_table(arguments->file, [&] { return maxwell_table(studies_of(*arguments)); });
+    write_table(arguments->file, maxwell_table({}), [&] { return maxwell_table(studies_of(*arguments)); });
     exit_code = 0;
   });
 }

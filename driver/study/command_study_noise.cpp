@@ -36,7 +36,7 @@ void add_noise_study(CLI::App& study, int& exit_code) {
       ->capture_default_str();
   add_file_option(*command, *file);
   command->callback([=, &exit_code] {
-    write_table(*file, [&] { return noise_table(*noise, *intervals); });
+    write_table(*file, noise_table(*noise, {}), [&] { return noise_table(*noise, *intervals); });
     exit_code = 0;
   });
 }

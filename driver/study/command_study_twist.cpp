@@ -101,7 +101,7 @@ void add_twist_study(CLI::App& study, int& exit_code) {
   add_law_options(*command, *arguments);
   add_file_option(*command, arguments->file);
   command->callback([=, &exit_code] {
-    write_table(arguments->file, [&] { return twist_table(studies_of(*arguments)); });
+    write_table(arguments->file, twist_table({}), [&] { return twist_table(studies_of(*arguments)); });
     exit_code = 0;
   });
 }

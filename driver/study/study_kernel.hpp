@@ -13,6 +13,9 @@ struct KernelStudy {
   int points = 256;                ///< distances a grid step; even, so that the kinks of a kernel lie on them
 };
 
+/// The first line of the table.
+inline constexpr const char* kernel_table_header = "kernel,distance,phi\n";
+
 /// The table of `tanktread study kernel`, as CSV: kernel, distance (grid steps, from 0 to the half-width),
 /// phi.
 /// @throws std::invalid_argument for a kernel that is not known, or points that are not even, below 2 or

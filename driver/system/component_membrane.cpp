@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "driver/packets/surface_mesh.hpp"
 #include "driver/system/components.hpp"
@@ -24,19 +25,41 @@ void check_hash(const Case& the_case, std::size_t number, const std::string& has
                   the_case.file.string(), number, mesh.file_hash, mesh.file, hash));
 }
 
-ReferenceMesh mesh_from_file(const Case& the_case, std::size_t number) {
-  const auto& capsule = the_case.capsules[number];
-  const auto file = std::filesystem::path(capsule.mesh.file);
-  ReferenceMesh result;
-  auto& mesh = result.mesh;
+exchange::SurfacePacket read_mesh_file(const CapsuleCase& capsule) {
   try {
-    const auto packet = exchange::read_surface(file, true);
-    result.file_hash = geometry_hash(packet);
-    mesh = to_mesh(packet);
+    return exchange::read_surface(capsule.mesh.file, true);
   } catch (const exchange::FileError& error) {
     throw InputError(error.what());
   }
+}
+
+/// A state says itself that its points are not the stress-free shape, so taking them for it is a mistake;
+/// other deformed shapes may be meant (remarks_on_mesh_files).
+void require_no_deformed_state(const exchange::SurfacePacket& packet, const std::filesystem::path& file) {
+  const auto* reference = exchange::find_optional_array(packet.point_data, "reference_position");
+  if (reference == nullptr || reference->values == packet.points) return;
+  throw InputError(
+      fmt::format("{}: is the state of a deformed membrane, whose stress-free shape is its array "
+                  "reference_position, not its points; name the mesh that the run was made with, or "
+                  "membrane_0000000000.vtu of its output",
+                  file.string()));
+}
+
+/// The number of that name; nothing: there is none.
+std::optional<double> number_in(const exchange::SurfacePacket& packet, const std::string& name) {
+  const auto* array = exchange::find_optional_array(packet.field_data, name);
+  if (array == nullptr || array->values.size() != 1) return std::nullopt;
+  return array->values[0];
+}
+
+ReferenceMesh mesh_from_file(const Case& the_case, std::size_t number) {
+  const auto& capsule = the_case.capsules[number];
+  const auto file = std::filesystem::path(capsule.mesh.file);
+  const auto packet = read_mesh_file(capsule);
+  ReferenceMesh result{to_mesh(packet), geometry_hash(packet)};
+  auto& mesh = result.mesh;
   check_hash(the_case, number, result.file_hash);
+  require_no_deformed_state(packet, file);
   const auto report = inspected(mesh, file.string());
   require_no_defects(report, file.string());
   const double sphere_volume = 4.0 / 3.0 * std::numbers::pi * std::pow(capsule.radius, 3);
@@ -62,6 +85,24 @@ std::vector<membrane::TriangleMesh> reference_meshes(const Case& the_case) {
     meshes.push_back(reference_mesh(the_case, k).mesh);
   check_placement(the_case, meshes);
   return meshes;
+}
+
+std::vector<std::string> remarks_on_mesh_files(const Case& the_case) {
+  std::vector<std::string> remarks;
+  for (std::size_t k = 0; k < the_case.capsules.size(); ++k) {
+    const auto& capsule = the_case.capsules[k];
+    if (is_sphere(capsule)) continue;
+    const auto packet = read_mesh_file(capsule);
+    const auto step = number_in(packet, "step"), shear_time = number_in(packet, "shear_time");
+    if (!(step.value_or(0) > 0)) continue;
+    const auto time =
+        shear_time ? fmt::format("shear time {:g}", *shear_time) : fmt::format("step {:g}", *step);
+    remarks.push_back(fmt::format(
+        "capsule {}: mesh.file {} is the deformed membrane of {} of a run, and its shape is taken as "
+        "stress-free; for the stress-free shape of that run use its file at time 0",
+        k, capsule.mesh.file, time));
+  }
+  return remarks;
 }
 
 std::vector<CapsuleMembrane> make_membranes(const Case& the_case, const Parameters& parameters,

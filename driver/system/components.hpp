@@ -30,11 +30,15 @@ struct ReferenceMesh {
 };
 
 /// The stress-free mesh of a capsule at its place in the box: a sphere by its level, or a file scaled to the
-/// radius by its volume. @throws InputError if the file is not a surface that can be a membrane, or has
-/// another hash than the case says
+/// radius by its volume. @throws InputError if the file is not a surface that can be a membrane, or the
+/// state of a deformed one, or has another hash than the case says
 ReferenceMesh reference_mesh(const Case& the_case, std::size_t capsule);
 /// Those of all capsules. @throws InputError also if one of them has no room (check_placement)
 std::vector<membrane::TriangleMesh> reference_meshes(const Case& the_case);
+
+/// What a user should know of the files that meshes are from, a sentence each: the file is of a run, at a
+/// time after its start. @throws InputError if one cannot be read
+std::vector<std::string> remarks_on_mesh_files(const Case& the_case);
 
 /// The membranes of a case at rest. @param meshes the reference mesh of each capsule
 /// @throws InputError if a program in the place of a membrane cannot be started

@@ -35,24 +35,25 @@ TEST(Program, HelpAndVersionOnEveryLevel) {
 
 TEST(Program, StudiesComponents) {
   const TemporaryDirectory directory;
-  const auto file = (directory / "errors.csv").string();
+  const auto file_of = [&](const std::string& study) { return (directory / (study + ".csv")).string(); };
   const auto study = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "study");
-    arguments.insert(arguments.end(), {"--out", file});
+    arguments.insert(arguments.end(), {"--out", file_of(arguments[1])});
     return run_program(arguments);
   };
   ASSERT_EQ(study({"maxwell", "--scheme", "fd", "int1", "--k", "1", "2", "--dt", "6", "5"}).exit_code, 0);
-  const auto table = read_file(file);
+  const auto table = read_file(file_of("maxwell"));
   EXPECT_THAT(table, AllOf(HasSubstr("scheme,viscosity,stiffness"), HasSubstr("\nint1,100,2,600,5,")));
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 8);
   ASSERT_EQ(study({"strain-rate-noise", "--interval", "3"}).exit_code, 0);
-  EXPECT_THAT(read_file(file), HasSubstr("cosine4,100,0,3,"));
+  EXPECT_THAT(read_file(file_of("strain-rate-noise")), HasSubstr("cosine4,100,0,3,"));
   ASSERT_EQ(
       study({"twisting-sphere", "--level", "1", "--period", "8", "--angle", "0", "30", "--kernel", "roma3"})
           .exit_code,
       0);
-  EXPECT_THAT(read_file(file), AllOf(HasSubstr("\nsurface,80,20,0 0 1,30,,int2,0.75,theta-phi,"),
-                                     HasSubstr("\nflow,80,20,0 0 1,0,roma3,fd,0.25,phi-phi,")));
+  EXPECT_THAT(read_file(file_of("twisting-sphere")),
+              AllOf(HasSubstr("\nsurface,80,20,0 0 1,30,,int2,0.75,theta-phi,"),
+                    HasSubstr("\nflow,80,20,0 0 1,0,roma3,fd,0.25,phi-phi,")));
   for (const auto& wrong : std::vector<std::vector<std::string>>{{"maxwell", "--scheme", "rk4"},
                                                                  {"maxwell", "--k", "-1"},
                                                                  {"strain-rate-noise", "--interval", "0"},

@@ -143,30 +143,30 @@ TEST_F(Stages, NothingIsWrittenForBadInput) {
   record();
   const auto force = path("record/node_force/node_force_0000000003.vtu"),
              positions = path("record/positions/positions_0000000003.vtu");
-  EXPECT_THAT(stage({"coupler", "spread", "--in", positions, "--out", path("none")}, 2),
+  EXPECT_THAT(stage({"coupler", "spread", "--in", positions, "--out", path("none.vti")}, 2),
               HasSubstr("positions_0000000003.vtu: array 'total_force' is missing"));
-  EXPECT_THAT(stage({"coupler", "spread", "--in", path("nowhere.vtu"), "--out", path("none")}, 2),
+  EXPECT_THAT(stage({"coupler", "spread", "--in", path("nowhere.vtu"), "--out", path("none.vti")}, 2),
               HasSubstr("nowhere.vtu: no such file"));
-  EXPECT_THAT(stage({"membrane", "--in", positions, "--move", "--out", path("none")}, 2),
+  EXPECT_THAT(stage({"membrane", "--in", positions, "--move", "--out", path("none.vtu")}, 2),
               HasSubstr("array 'velocity' is missing"));
-  EXPECT_THAT(stage({"membrane", "--in", positions, "--state", force, "--out", path("none")}, 2),
+  EXPECT_THAT(stage({"membrane", "--in", positions, "--state", force, "--out", path("none.vtu")}, 2),
               HasSubstr("array 'history_0' is missing"));
   EXPECT_THAT(
-      stage({"membrane", "--in", positions, "--out", path("none"), "--set", "capsule.1.mesh.level=2"}, 2),
+      stage({"membrane", "--in", positions, "--out", path("none.vtu"), "--set", "capsule.1.mesh.level=2"}, 2),
       HasSubstr("capsule 1 has 42 nodes and 80 triangles, that of the case 162 and 320"));
   EXPECT_THAT(stage({"fluid", "--force", path("record/grid_force/grid_force_0000000003.vti"), "--out",
-                     path("none"), "--set", "flow.box=[26,18,22]"},
+                     path("none.vti"), "--set", "flow.box=[26,18,22]"},
                     2),
               AllOf(HasSubstr("a grid of 26 x 18 x 20 nodes"), HasSubstr("flow.box = [26, 18, 22]")));
-  EXPECT_THAT(stage({"fluid", "--state", path("record/begin/fluid.vti"), "--out", path("none"), "--set",
+  EXPECT_THAT(stage({"fluid", "--state", path("record/begin/fluid.vti"), "--out", path("none.vti"), "--set",
                      "flow.box=[26,18,22]"},
                     2),
               AllOf(HasSubstr("a grid of 26 x 18 x 20 nodes"), HasSubstr("flow.box = [26, 18, 22]")));
   EXPECT_THAT(stage({"fluid", "--out", path("no/folder.vti")}, 2), HasSubstr("there is no folder"));
-  EXPECT_THAT(stage({"fluid", "--out", path("none"), "--fields", path("./none")}, 2),
+  EXPECT_THAT(stage({"fluid", "--out", path("none.vti"), "--fields", path("./none.vti")}, 2),
               HasSubstr("name one file"));
   EXPECT_THAT(stage({"membrane", "--out", directory_.path().string()}, 2), HasSubstr("is a folder"));
-  EXPECT_FALSE(std::filesystem::exists(path("none")));
+  for (const char* none : {"none.vti", "none.vtu"}) EXPECT_FALSE(std::filesystem::exists(path(none)));
 }
 
 /// A node_force packet of the record, changed.
@@ -180,7 +180,9 @@ void change_packet(const std::string& file, Change change) {
 TEST_F(Stages, RefusesWhatIsNotThePacketThatItShouldBe) {
   record();
   const auto file = path("record/node_force/node_force_0000000003.vtu");
-  const auto refusal = [&] { return stage({"coupler", "spread", "--in", file, "--out", path("none")}, 2); };
+  const auto refusal = [&] {
+    return stage({"coupler", "spread", "--in", file, "--out", path("none.vti")}, 2);
+  };
   change_packet(file, [](auto& packet) { packet.field_data[1].values = {2}; });
   EXPECT_THAT(refusal(), HasSubstr("schema version 2 cannot be read, only up to 1"));
   change_packet(file, [](auto& packet) {
@@ -232,8 +234,8 @@ TEST_F(Stages, OtherSettingsThanThoseOfAStateAreSaid) {
   call({"run", path("case.toml"), "--output", path("out")});
   const std::string folder = path("out/checkpoints/step_0000000020/");
   const auto go_on = [&](const std::string& component, const std::string& set) {
-    const auto state = folder + (component == "fluid" ? "fluid.vti" : "membrane.vtu");
-    std::vector<std::string> arguments = {component, "--state", state, "--out", path("next"), "--set", set};
+    const std::string file = component == "fluid" ? "fluid.vti" : "membrane.vtu", state = folder + file;
+    std::vector<std::string> arguments = {component, "--state", state, "--out", path(file), "--set", set};
     if (component == "membrane") arguments.insert(arguments.end(), {"--in", state});
     return stage(arguments);
   };
@@ -252,15 +254,17 @@ TEST_F(Stages, RefusesPositionsBeyondAWall) {
   for (const auto& file : {force, positions}) {
     change_packet(file, [](auto& packet) { packet.points[2] = 19.5; });  // the wall lies at 20
   }
-  EXPECT_THAT(stage({"coupler", "spread", "--in", force, "--out", path("none")}, 2), HasSubstr("wall"));
+  EXPECT_THAT(stage({"coupler", "spread", "--in", force, "--out", path("none.vti")}, 2), HasSubstr("wall"));
   EXPECT_THAT(call({"replay", path("record"), "--only", "coupler"}, 2), HasSubstr("wall"));
-  EXPECT_FALSE(std::filesystem::exists(path("none")));
+  for (const char* none : {"none.vti", "none.vtu"}) EXPECT_FALSE(std::filesystem::exists(path(none)));
 }
 
 TEST_F(Stages, RefusesCapsulesAndMarksOfAnotherForm) {
   record();
   const auto file = path("record/node_force/node_force_0000000003.vtu");
-  const auto refusal = [&] { return stage({"coupler", "spread", "--in", file, "--out", path("none")}, 2); };
+  const auto refusal = [&] {
+    return stage({"coupler", "spread", "--in", file, "--out", path("none.vti")}, 2);
+  };
   change_packet(file, [](auto& packet) {
     for (auto& number : packet.cell_data[0].values) number += 1;
   });
@@ -270,7 +274,7 @@ TEST_F(Stages, RefusesCapsulesAndMarksOfAnotherForm) {
   grid.point_data[1].components = 3;
   grid.point_data[1].values.resize(3 * grid.point_data[1].values.size());
   exchange::write_grid(force, grid);
-  EXPECT_THAT(stage({"fluid", "--force", force, "--out", path("none")}, 2),
+  EXPECT_THAT(stage({"fluid", "--force", force, "--out", path("none.vti")}, 2),
               HasSubstr("'touched' has 3 components; 1 is needed"));
 }
 
@@ -291,7 +295,7 @@ TEST_F(Stages, RefusesAFlippedBit) {
   auto bytes = read_file(file);
   bytes[bytes.find("<AppendedData") + 600] ^= 1;  // among the numbers of total_force
   std::ofstream(file, std::ios::binary) << bytes;
-  EXPECT_THAT(stage({"coupler", "spread", "--in", file, "--out", path("none")}, 2),
+  EXPECT_THAT(stage({"coupler", "spread", "--in", file, "--out", path("none.vti")}, 2),
               HasSubstr("the contents are not those that were written"));
   EXPECT_THAT(call({"replay", path("record"), "--only", "membrane"}, 2),
               HasSubstr("node_force_0000000003.vtu"));
@@ -302,11 +306,11 @@ TEST_F(Stages, AMoveTooLongOrAnElementTurnedOverIsAFailedRun) {
   const auto velocity = path("record/node_velocity/node_velocity_0000000003.vtu"),
              positions = path("record/positions/positions_0000000003.vtu");
   change_packet(velocity, [](auto& packet) { packet.point_data[0].values[30] = 0.75; });
-  EXPECT_THAT(stage({"membrane", "--in", velocity, "--move", "--out", path("none")}, 3),
+  EXPECT_THAT(stage({"membrane", "--in", velocity, "--move", "--out", path("none.vtu")}, 3),
               AllOf(HasSubstr("node 10 of capsule 0"), HasSubstr("would move by 0.75")));
   change_packet(positions, [](auto& packet) { packet.points[2] += 6; });
-  EXPECT_THAT(stage({"membrane", "--in", positions, "--out", path("none")}, 3), HasSubstr("element"));
-  EXPECT_FALSE(std::filesystem::exists(path("none")));
+  EXPECT_THAT(stage({"membrane", "--in", positions, "--out", path("none.vtu")}, 3), HasSubstr("element"));
+  for (const char* none : {"none.vti", "none.vtu"}) EXPECT_FALSE(std::filesystem::exists(path(none)));
 }
 
 }  // namespace
