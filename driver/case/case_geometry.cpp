@@ -30,8 +30,8 @@ std::string room_at_walls(const CapsuleCase& capsule, int axis, const Extent& ex
                highest = rounded_down(length - extent.above - reach);
   if (lowest <= highest) return fmt::format("{} must be from {:.9g} to {:.9g}", "xyz"[axis], lowest, highest);
   const double largest = rounded_down(capsule.radius * room / long_by);
-  return fmt::format("flow.box along {} must be at least {:.0f}{}", "xyz"[axis],
-                     std::ceil(long_by + 2 * reach),
+  return fmt::format("flow.box along {} must be at least {:.0f}{}, and the capsule midway between the walls",
+                     "xyz"[axis], std::ceil(long_by + 2 * reach),
                      largest > 0 ? fmt::format(", or the radius at most {:.9g}", largest) : "");
 }
 

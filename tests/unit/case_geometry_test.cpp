@@ -23,8 +23,10 @@ TEST(CaseGeometry, BoxAndWalls) {
   EXPECT_EQ(refusal(least_case, {"capsule.0.position.2=7.5", "coupler.kernel=roma3"}), "");
   EXPECT_THAT(refusal(least_case, {"capsule.0.radius=21"}), HasSubstr("x; make the radius less than 18"));
   EXPECT_THAT(refusal(least_case, {"flow.box.2=15"}), HasSubstr("outside the box"));
-  EXPECT_THAT(refusal(least_case, {"flow.box.2=15", "capsule.0.position.2=7.5"}),
-              HasSubstr("flow.box along z must be at least 16, or the radius at most 5.5"));
+  EXPECT_THAT(
+      refusal(least_case, {"flow.box.2=15", "capsule.0.position.2=7.5"}),
+      HasSubstr(
+          "flow.box along z must be at least 16, or the radius at most 5.5, and the capsule midway between"));
   // On the other axes the box is periodic: a capsule may lie across its faces.
   EXPECT_EQ(refusal(least_case, {"capsule.0.position=[0, 40, 22]"}), "");
 }
