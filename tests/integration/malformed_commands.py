@@ -80,6 +80,14 @@ NUMBERS = [
     Row("an axis of no length", "study twisting-sphere --axis 0 0 0 --out x.csv", ["the axis must not be zero"]),
 ]
 
+OVER_OTHERS = [
+    Row("a sphere over a case", "mesh sphere --level 0 case.toml", ["case.toml", "ends in .vtu"]),
+    Row("a sphere as STL", "mesh sphere --level 0 ball.stl", ["ball.stl", "ends in .vtu"]),
+    Row("a fluid over a case", "fluid --case case.toml --steps 1 --out case.toml", ["--out case.toml", "ends in .vti"]),
+    Row("a membrane as a grid", "membrane --case case.toml --out x.vti", ["--out x.vti", "ends in .vtu"]),
+    Row("a table over a case", "study maxwell --out case.toml", ["--out case.toml", "ends in .csv"]),
+]
+
 WRONG_FILES = [
     Row("a record below a file", RUN + " --record case.toml/x", ["--record case.toml/x", "is no directory"]),
     Row("an output below a file", "run case.toml --output case.toml/x", ["case.toml/x"]),
@@ -146,4 +154,4 @@ DIFFERENCES = [
     Row("a tolerance that is not a number", "diff case.toml case.toml --tolerance nan", ["--tolerance nan"]),
 ]
 
-ROWS = [*SUBCOMMANDS, *RUNS, *PATHS, *NUMBERS, *WRONG_FILES, *STAGES, *MESHES, *STUDIES, *DIFFERENCES]
+ROWS = [*SUBCOMMANDS, *RUNS, *PATHS, *NUMBERS, *OVER_OTHERS, *WRONG_FILES, *STAGES, *MESHES, *STUDIES, *DIFFERENCES]

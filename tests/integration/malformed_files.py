@@ -15,8 +15,8 @@ def mesh(name, content, *message):
     return Row(name, "mesh info cell.vtu", ["cell.vtu", *message], {"cell.vtu": content})
 
 
-def of_case(name, content, *message):
-    return Row(name, "run case.toml --output new --set {mesh}", ["cell.vtu", *message], {"cell.vtu": content}, {"mesh": "capsule.0.mesh={file = 'cell.vtu'}"})
+def of_case(name, content, *message, value="capsule.0.mesh={file = 'cell.vtu'}"):
+    return Row(name, "run case.toml --output new --set {mesh}", ["cell.vtu", *message], {"cell.vtu": content}, {"mesh": value})
 
 
 HEADS = [
@@ -99,7 +99,16 @@ PROMISES = [
     mesh("a promise of no components", surface(point_data=array("a", [1, 2, 3, 4], 0)), "NumberOfComponents"),
 ]
 
+APART = surface(TETRAHEDRON + tuple(v + 5 for v in TETRAHEDRON), TRIANGLES + tuple(corner + 4 for corner in TRIANGLES))
+TWO = "capsule=[{radius=1,position=[6,6,6],mesh={file='cell.vtu'}},{radius=1,position=[6.5,6,6],mesh={file='cell.vtu'}}]"
+LONG = "capsule.0={radius=2.5,position=[6,6,6],mesh={file='cell.vtu'}}"
+NEEDLE = surface((0, 0, 0, 40, 0, 0, 0, 1, 0, 0, 0, 1))
+
 SHAPES = [
+    mesh("a mesh of two parts", APART, "2 separate parts"),
+    of_case("a case's mesh of two parts", APART, "2 separate parts"),
+    Row("two meshes in one place", "run case.toml --output new --set {mesh}", ["overlaps capsule 0"], {"cell.vtu": GOOD}, {"mesh": TWO}),
+    Row("a mesh over its image", "run case.toml --output new --set {mesh}", ["capsule.0", "periodic image"], {"cell.vtu": NEEDLE}, {"mesh": LONG}),
     mesh("an open mesh", surface(corners=TRIANGLES[:9]), "the surface is open"),
     mesh("a mesh inside out in part", surface(corners=(0, 1, 2) + TRIANGLES[3:]), "wound against each other"),
     mesh("a flat mesh", surface(points=(0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0)), "cell.vtu"),
