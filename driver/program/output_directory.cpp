@@ -116,6 +116,15 @@ bool is_place_of_run(const std::filesystem::path& directory, const std::filesyst
   return std::ranges::find(names_of_run, inside.begin()->string()) != names_of_run.end();
 }
 
+std::optional<std::filesystem::path> run_that_owns(const std::filesystem::path& path) {
+  for (auto above = std::filesystem::weakly_canonical(path).parent_path();; above = above.parent_path()) {
+    const bool is_run =
+        std::filesystem::exists(above / "echo.toml") && std::filesystem::is_directory(above / "checkpoints");
+    if (is_run && is_place_of_run(above, path)) return above;
+    if (above == above.root_path()) return std::nullopt;
+  }
+}
+
 void remove_earlier_run(const std::filesystem::path& directory) {
   for (const char* name : names_of_run) std::filesystem::remove_all(directory / name);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace tanktread::driver {
@@ -20,8 +21,9 @@ class DirectoryLock {
   int descriptor_;
 };
 
-/// Refuses what is no directory, what lies below a file, and a directory that holds anything but what a killed process left half
-/// written. @param option that named it, for the message: "--record" @throws InputError
+/// Refuses what is no directory, what lies below a file, and a directory that holds anything but what a
+/// killed process left half written. @param option that named it, for the message: "--record" @throws
+/// InputError
 void require_new_directory(const std::string& option, const std::filesystem::path& directory);
 
 /// Refuses a directory that holds anything, unless `force` is set and it is an earlier run. Writes nothing.
@@ -31,6 +33,10 @@ void check_output_directory(const std::filesystem::path& directory, bool force);
 /// Whether a path is the output directory itself, or one of the places where a run writes in it, or below
 /// such a place.
 bool is_place_of_run(const std::filesystem::path& directory, const std::filesystem::path& path);
+
+/// The output directory of the run in one of whose places a path lies: the nearest folder above it with an
+/// echo.toml and checkpoints. Nothing: it lies in none.
+std::optional<std::filesystem::path> run_that_owns(const std::filesystem::path& path);
 
 /// Removes the files of an earlier run, those that tell it is one last. The lock must be held.
 void remove_earlier_run(const std::filesystem::path& directory);

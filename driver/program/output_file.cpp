@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "driver/program/errors.hpp"
+#include "driver/program/output_directory.hpp"
 
 namespace tanktread::driver {
 namespace {
@@ -63,6 +64,12 @@ void check_output(const NamedFile& output, const OutputKind& kind, const std::ve
   }
   if (!fs::is_directory(folder))
     refuse(output, fmt::format("there is no folder {}; make it, or give another name", folder.string()));
+  if (const auto run = run_that_owns(file)) {
+    refuse(
+        output,
+        fmt::format("is a place of the run in {}, which would no longer be whole; give a name outside of it",
+                    run->string()));
+  }
   if (!fs::exists(file)) return;
   for (const auto& input : inputs) {
     if (input.file.empty() || !fs::exists(input.file) || !fs::equivalent(file, input.file)) continue;

@@ -31,7 +31,7 @@ OutputKind table_output(const std::string& header);
 /// nothing to lose. Writes nothing.
 /// @param inputs the files that the same command reads; those without a name are left out
 /// @throws InputError for another extension, a folder that is not there, a folder, a file of another kind,
-/// and a file that the command reads; with option, file and fix
+/// a file that the command reads, and a place of a run (run_that_owns); with option, file and fix
 void check_output(const NamedFile& output, const OutputKind& kind, const std::vector<NamedFile>& inputs = {});
 
 }  // namespace tanktread::driver

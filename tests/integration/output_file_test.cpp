@@ -71,6 +71,16 @@ TEST_F(Outputs, AreRefusedUnderANameOfAnotherKind) {
   }
 }
 
+TEST_F(Outputs, AreRefusedAmongTheFilesOfARun) {
+  call({"run", path("case.toml"), "--output", path("finished"), "--shear-time", "0"});
+  for (const auto& option : all()) {
+    for (const std::string place : {"membrane", "fluid", "checkpoints", "checkpoints/step_0000000000"})
+      expect_refused(option, path("finished/" + place + "/new" + option.extension),
+                     "is a place of the run in ");
+  }
+  EXPECT_THAT(call({"mesh", "sphere", "--level", "0", path("finished/mine.vtu")}), HasSubstr("mine.vtu"));
+}
+
 TEST_F(Outputs, AreRefusedWhereSomethingElseStands) {
   const auto foreign = [&](const std::string& extension) {
     // As another program writes them: without the hash.
