@@ -300,7 +300,7 @@ class Refusals(Surfaces):
         source = self.write(self.points, self.triangles)
         for options, words in (
             (["out.vtu", "--scale", "0"], "--scale 0: it must be a positive number"),
-            (["out.vtu", "--scale", "nan"], "--scale nan"),
+            (["out.vtu", "--scale", "nan"], "'nan' is no number"),
             (["out.vtu", "--merge-tolerance", "0.1"], "from 0 to 0.01"),
             (["out.obj", "--ascii"], "out.obj: --ascii is for .stl, .ply, .msh only"),
             (["none/out.stl"], "there is no folder none"),
