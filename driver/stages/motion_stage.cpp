@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "driver/packets/field_number.hpp"
 #include "driver/packets/packet_files.hpp"
 #include "driver/program/output_directory.hpp"
 #include "driver/program/signals.hpp"
@@ -61,13 +62,6 @@ Motion twist(const MotionStage& stage, const Parameters& numbers,
   return motion;
 }
 
-/// The shear time that a file says of itself; none in files of other programs.
-std::optional<double> own_time(const exchange::SurfacePacket& surface) {
-  const auto* array = exchange::find_optional_array(surface.field_data, "shear_time");
-  if (array == nullptr || array->values.size() != 1) return std::nullopt;
-  return array->values.front();
-}
-
 /// @throws InputError if a series names a file at another time than its own: which of the two is meant?
 void require_own_time(const std::optional<double>& own, const exchange::SeriesEntry& entry,
                       const std::filesystem::path& series) {
@@ -93,7 +87,7 @@ Motion series(const MotionStage& stage, const Parameters& numbers,
     last_file = entry.file;
     const auto file = stage.series.parent_path() / entry.file;
     const auto surface = exchange::read_surface(file);
-    own = own_time(surface);
+    own = field_number(surface, "shear_time");
     require_own_time(own, entry, stage.series);
     auto surfaces = surfaces_of(surface, file.string());
     check_surfaces(surfaces, membranes, file.string());

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <optional>
 
+#include "driver/packets/field_number.hpp"
 #include "driver/packets/surface_mesh.hpp"
 #include "driver/system/components.hpp"
 #include "driver/system/placement.hpp"
@@ -43,13 +44,6 @@ void require_no_deformed_state(const exchange::SurfacePacket& packet, const std:
                   "reference_position, not its points; name the mesh that the run was made with, or "
                   "membrane_0000000000.vtu of its output",
                   file.string()));
-}
-
-/// The number of that name; nothing: there is none.
-std::optional<double> number_in(const exchange::SurfacePacket& packet, const std::string& name) {
-  const auto* array = exchange::find_optional_array(packet.field_data, name);
-  if (array == nullptr || array->values.size() != 1) return std::nullopt;
-  return array->values[0];
 }
 
 ReferenceMesh mesh_from_file(const Case& the_case, std::size_t number) {
@@ -93,7 +87,7 @@ std::vector<std::string> remarks_on_mesh_files(const Case& the_case) {
     const auto& capsule = the_case.capsules[k];
     if (is_sphere(capsule)) continue;
     const auto packet = read_mesh_file(capsule);
-    const auto step = number_in(packet, "step"), shear_time = number_in(packet, "shear_time");
+    const auto step = field_number(packet, "step"), shear_time = field_number(packet, "shear_time");
     if (!(step.value_or(0) > 0)) continue;
     const auto time =
         shear_time ? fmt::format("shear time {:g}", *shear_time) : fmt::format("step {:g}", *step);
