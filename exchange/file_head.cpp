@@ -16,6 +16,7 @@
 #include <string>
 #include <string_view>
 
+#include "exchange/cell_lengths.hpp"
 #include "exchange/compressed_blocks.hpp"
 #include "exchange/file_kind.hpp"
 #include "exchange/grid_head.hpp"
@@ -198,6 +199,7 @@ int check_head(const WholeFile& file, const std::string& type, bool exact) {
   check_promised_sizes(*parser->GetRootElement(), n_bytes, file.name());
   check_compressed_blocks(*parser, stream, n_bytes, file.name());
   check_appended_layout(*parser, stream, file.name());
+  check_cell_lengths(*parser, stream, n_bytes, file.name());
   return n_field_arrays(*parser->GetRootElement(), type);
 }
 

@@ -51,13 +51,11 @@ double bytes_a_number(vtkXMLDataElement& array) {
 class Promises {
  public:
   Promises(vtkXMLDataElement& root, std::uint64_t n_bytes, const fs::path& file)
-      : n_bytes_(n_bytes), file_(file) {
-    growth_ = root.GetAttribute("compressor") != nullptr ? growth_of_compressed : growth_of_text;
-  }
+      : root_(root), n_bytes_(n_bytes), file_(file) {}
 
   /// `what` is in the message.
   void check(const std::string& what, double n_numbers, double n_bytes_each) const {
-    if (n_numbers * n_bytes_each <= growth_ * static_cast<double>(n_bytes_)) return;
+    if (fits_in_file(root_, n_numbers, n_bytes_each, n_bytes_)) return;
     throw FileError(fmt::format(
         "{}: its head promises {} of {:.10g} numbers, which a file of {} bytes cannot hold: it is "
         "damaged; write or copy it again",
@@ -76,9 +74,9 @@ class Promises {
   }
 
  private:
+  vtkXMLDataElement& root_;
   std::uint64_t n_bytes_;
   const fs::path& file_;
-  double growth_;
 };
 
 void check_piece(vtkXMLDataElement& piece, const Promises& promises, const fs::path& file) {
@@ -95,6 +93,11 @@ void check_piece(vtkXMLDataElement& piece, const Promises& promises, const fs::p
 }
 
 }  // namespace
+
+bool fits_in_file(vtkXMLDataElement& root, double n_numbers, double n_bytes_each, std::uint64_t n_bytes) {
+  const double growth = root.GetAttribute("compressor") != nullptr ? growth_of_compressed : growth_of_text;
+  return n_numbers * n_bytes_each <= growth * static_cast<double>(n_bytes);
+}
 
 void check_promised_sizes(vtkXMLDataElement& root, std::uint64_t n_bytes, const fs::path& file) {
   const Promises promises(root, n_bytes, file);

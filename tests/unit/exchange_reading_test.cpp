@@ -238,13 +238,27 @@ TEST_F(Reading, RefusesOffsetsThatLeaveTheConnectivity) {
     surface.offsets = offsets;
     EXPECT_THAT(surface_error(surface.text()), HasSubstr("file.vtu")) << offsets;
   }
+  // Before VTK makes room for them: 8 GB here, and the terabytes of a flipped bit in a file of our own.
+  EXPECT_THAT(surface_error(surface.text()),
+              HasSubstr("file.vtu: its cells are said to have 2000000000 node numbers (the last offset)"));
+  write_surface(folder_ / "whole.vtu", sample_surface());
+  auto text = read_text(folder_ / "whole.vtu");
+  const auto place = text.find("offset=\"", text.find("Name=\"offsets\"")) + 8;
+  const auto first =
+      text.find('_', text.find("<AppendedData")) + 1 + std::stoul(text.substr(place)) + sizeof(std::uint64_t);
+  const auto last = first + 8 * (sample_surface().triangles.size() / 3 - 1);
+  text[last + 5] = static_cast<char>(text[last + 5] ^ 1);
+  put_text(folder_ / "flipped.vtu", text);
+  EXPECT_THAT(error_of([&] { read_surface(folder_ / "flipped.vtu"); }),
+              HasSubstr("flipped.vtu: its cells are said to have 1.099511628e+12 node numbers"));
 }
 
 TEST_F(Reading, WidensOtherTypesOnlyWhenAsked) {
   PlainSurface surface;
   surface.points_type = "Float32";
-  EXPECT_THAT(surface_error(surface.text()),
-              HasSubstr("file.vtu: the array of points is of type float, not double; a packet keeps every bit"));
+  EXPECT_THAT(
+      surface_error(surface.text()),
+      HasSubstr("file.vtu: the array of points is of type float, not double; a packet keeps every bit"));
   // The fix that is named is one that a user can give.
   EXPECT_THAT(surface_error(surface.text()),
               AllOf(HasSubstr("write it as Float64, in numpy float64, or convert the surface: python3 -m "
