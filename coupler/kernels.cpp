@@ -83,28 +83,27 @@ double stockie6(double distance) {
 
 const std::vector<Kernel>& kernels() {
   static const std::vector<Kernel> all = {
-      {"cosine4",
-       "(1 + cos(pi r/2))/4, 4 points (Peskin 1977; Eq. 2.2): partition of unity, even-odd condition, sum of "
-       "squares 3/8; the first moment does not vanish (at most 0.021)",
-       2.0, false, cosine4, cosine4_weights},
-      {"roma3",
-       "3 points (Roma, Peskin and Berger 1999): partition of unity, first moment, sum of squares 1/2; no "
-       "even-odd condition",
-       1.5, true, roma3, nullptr},
+      {"stockie6",
+       "6 points, square root (Stockie 1997): partition of unity, first and second moment, even-odd "
+       "condition, sum of squares 67/128; weights down to -0.065",
+       3.0, true, true, stockie6, stockie6_weights},
       {"peskin4",
        "4 points, square roots (Peskin 2002): partition of unity, first moment, even-odd condition, sum of "
        "squares 3/8",
-       2.0, true, peskin4, nullptr},
+       2.0, true, false, peskin4, nullptr},
+      {"cosine4",
+       "(1 + cos(pi r/2))/4, 4 points (Peskin 1977; Eq. 2.2): partition of unity, even-odd condition, sum of "
+       "squares 3/8; the first moment does not vanish (at most 0.021)",
+       2.0, false, false, cosine4, cosine4_weights},
+      {"roma3",
+       "3 points (Roma, Peskin and Berger 1999): partition of unity, first moment, sum of squares 1/2; no "
+       "even-odd condition",
+       1.5, true, false, roma3, nullptr},
       {"linear2",
        "1 - |r|, 2 points (trilinear interpolation): partition of unity, first moment; no even-odd "
        "condition, "
        "sum of squares between 1/2 and 1",
-       1.0, true, linear2, nullptr},
-      {"stockie6",
-       "6 points, square root (Stockie 1997): partition of unity, first and second moment, even-odd "
-       "condition, sum of "
-       "squares 67/128; weights down to -0.065",
-       3.0, true, stockie6, stockie6_weights},
+       1.0, true, false, linear2, nullptr},
   };
   return all;
 }

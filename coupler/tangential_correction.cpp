@@ -42,6 +42,16 @@ void keep_tangential(std::span<const double> normals, std::span<double> vectors)
   }
 }
 
+/// Adds to the normal at node `at` that of its triangle with the next two.
+void add_normal(std::span<const double> positions, int at, int next, int last, std::span<double> normals) {
+  const double *a = &positions[3 * at], *b = &positions[3 * next], *c = &positions[3 * last];
+  const double u[] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v[] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+  const double weight = 1 / (dot(u, u) * dot(v, v));
+  normals[3 * at] += weight * (u[1] * v[2] - u[2] * v[1]);
+  normals[3 * at + 1] += weight * (u[2] * v[0] - u[0] * v[2]);
+  normals[3 * at + 2] += weight * (u[0] * v[1] - u[1] * v[0]);
+}
+
 /// A node without a triangle has no normal, and one number that is not finite would spoil all around it.
 void require_finite(const std::string& what, std::size_t surface, std::span<const double> numbers) {
   for (std::size_t k = 0; k < numbers.size(); ++k) {
@@ -78,12 +88,9 @@ void node_normals(std::span<const double> positions, std::span<const int> triang
   require_surface(positions.size(), triangles, normals.size());
   for (double& component : normals) component = 0.0;
   for (std::size_t t = 0; t < triangles.size(); t += 3) {
-    const double *a = &positions[3 * triangles[t]], *b = &positions[3 * triangles[t + 1]],
-                 *c = &positions[3 * triangles[t + 2]];
-    const double u[] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v[] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-    const double normal[] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
     for (int corner = 0; corner < 3; ++corner) {
-      for (int axis = 0; axis < 3; ++axis) normals[3 * triangles[t + corner] + axis] += normal[axis];
+      add_normal(positions, triangles[t + corner], triangles[t + (corner + 1) % 3],
+                 triangles[t + (corner + 2) % 3], normals);
     }
   }
   for (std::size_t k = 0; k < normals.size(); k += 3) {

@@ -25,9 +25,13 @@ class CorrectionError : public std::runtime_error {
 /// error of first order in the grid step; along the normal the velocity has no kink.
 double tangential_shortfall(const Kernel& kernel);
 
-/// Unit normals of the nodes: the mean of those of the triangles around, weighted by area.
+/// Unit normals of the nodes: the sum over the triangles around of u x v/(|u|^2 |v|^2), u and v their edges
+/// at the node (Max 1999, doi:10.1080/10867651.1999.10487501), exact where the nodes around lie on a sphere.
+/// Weighted by area alone they would lean towards the larger triangles, and nodes that move normal to them
+/// would make a capsule swell (docs/kernels.md).
 /// @param positions, normals 3 numbers a node @param triangles 3 node numbers a triangle
-/// @param normals overwritten; not a number where a node has no triangle or its triangles' normals cancel
+/// @param normals overwritten; not a number where a node has no triangle, its triangles' normals cancel or
+/// two nodes of a triangle are one
 /// @throws std::invalid_argument if the sizes do not fit, or a triangle names a node that does not exist
 void node_normals(std::span<const double> positions, std::span<const int> triangles,
                   std::span<double> normals);

@@ -1,4 +1,5 @@
 // A program without the coupler: a case may name any kernel.
+#include "driver/case/case.hpp"
 #include "driver/case/names.hpp"
 #include "driver/program/missing_command.hpp"
 #include "driver/stages/replay_component.hpp"
@@ -27,6 +28,12 @@ std::vector<std::string> kernel_names() {
 
 std::optional<double> kernel_half_width(const std::string&) {
   return std::nullopt;
+}
+
+/// Without a coupler nothing is corrected; the default kernel has what it has in a whole program, so that its
+/// cases are the same.
+bool is_corrected_by_default(const std::string& kernel) {
+  return kernel == CouplerCase().kernel && CouplerCase().tangential_correction;
 }
 
 }  // namespace tanktread::driver

@@ -8,6 +8,7 @@
 #include "driver/case/case_checks.hpp"
 #include "driver/case/case_programs.hpp"
 #include "driver/case/case_reader.hpp"
+#include "driver/case/names.hpp"
 #include "driver/case/si_numbers.hpp"
 
 namespace tanktread::driver {
@@ -35,6 +36,9 @@ Case case_of(const CaseReader& reader) {
   if (reader.has("si")) the_case.si.emplace();
   for (const auto& key : schema()) {
     if (!is_capsule_key(key) && !is_membrane_key(key)) lay_value(the_case, 0, key, reader.value(key.path));
+  }
+  if (!reader.has("coupler.tangential_correction")) {
+    the_case.coupler.tangential_correction = is_corrected_by_default(the_case.coupler.kernel);
   }
   for (std::size_t k = 0; k < the_case.capsules.size(); ++k) {
     the_case.capsules[k].viscosity_ratio = the_case.flow.viscosity_ratio;

@@ -85,8 +85,8 @@ struct CapsuleCase {
 };
 
 struct CouplerCase {
-  std::string kernel = "cosine4";
-  bool tangential_correction = false;
+  std::string kernel = "stockie6";
+  bool tangential_correction = true;  ///< where a case does not say: by the kernel
 
   bool operator==(const CouplerCase&) const = default;
 };

@@ -23,6 +23,16 @@ double rounded_down(double limit) {
   return std::floor(1000 * limit) / 1000;
 }
 
+/// The first kernel of the list that reaches no further than `room`, as a fix; "" if none does.
+std::string narrower_kernel(double room) {
+  for (const auto& name : kernel_names()) {
+    const auto reach = kernel_half_width(name);
+    if (reach && *reach <= room)
+      return fmt::format("; or coupler.kernel = \"{}\", which reaches {:g}", name, *reach);
+  }
+  return "";
+}
+
 std::string room_at_walls(const CapsuleCase& capsule, int axis, const Extent& extent, double reach,
                           double length) {
   const double long_by = extent.below + extent.above, room = length - 2 * reach;
@@ -46,8 +56,9 @@ std::optional<Objection> wall_objection(const Case& the_case, std::size_t number
   return Objection{
       position_path(number),
       fmt::format("leaves {:.6g} grid steps between capsule and wall, but the kernel {} reaches {:g} "
-                  "from the membrane and has no correction at a wall; {}",
-                  gap, kernel, *reach, room_at_walls(capsule, axis, extent, *reach, length))};
+                  "from the membrane and has no correction at a wall; {}{}",
+                  gap, kernel, *reach, room_at_walls(capsule, axis, extent, *reach, length),
+                  narrower_kernel(gap))};
 }
 
 std::optional<Objection> image_objection(const Case& the_case, std::size_t number, int axis,
@@ -60,6 +71,18 @@ std::optional<Objection> image_objection(const Case& the_case, std::size_t numbe
           "the capsule is {:.6g} grid steps long, but its own periodic image only {:g} away along {}; "
           "make the radius less than {:.9g}, or flow.box longer",
           long_by, length, "xyz"[axis], rounded_down(the_case.capsules[number].radius * length / long_by))};
+}
+
+/// Two nodes of one stencil must not be the same node of a periodic axis.
+void check_width(CaseReader& reader, const Case& the_case) {
+  const auto reach = kernel_half_width(the_case.coupler.kernel);
+  const auto& box = the_case.flow.box;
+  const int least = *std::ranges::min_element(box);
+  if (!reach || the_case.capsules.empty() || least >= std::ceil(2 * *reach)) return;
+  reader.problem(
+      "flow.box",
+      fmt::format("has an axis of {} nodes, but the kernel {} is {:.0f} wide; make it longer{}", least,
+                  the_case.coupler.kernel, std::ceil(2 * *reach), narrower_kernel(0.5 * least)));
 }
 
 void check_place(CaseReader& reader, std::size_t number, const Case& the_case) {
@@ -142,6 +165,7 @@ double distance_between(const Case& the_case, const CapsuleCase& a, const Capsul
 void check_geometry(CaseReader& reader, const Case& the_case) {
   for (std::size_t k = 0; k < the_case.capsules.size(); ++k) check_place(reader, k, the_case);
   check_overlaps(reader, the_case);
+  check_width(reader, the_case);
   check_fluid_box(reader, the_case);
 }
 

@@ -19,5 +19,7 @@ std::vector<std::string> maxwell_scheme_names();
 std::vector<std::string> kernel_names();
 /// How far a kernel reaches along an axis, grid steps; nothing: not known.
 std::optional<double> kernel_half_width(const std::string& kernel);
+/// Whether a case that names the kernel, or none, has the tangential correction without a word of its own.
+bool is_corrected_by_default(const std::string& kernel);
 
 }  // namespace tanktread::driver

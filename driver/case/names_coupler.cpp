@@ -13,4 +13,8 @@ std::optional<double> kernel_half_width(const std::string& kernel) {
   return coupler::kernel(kernel).half_width;
 }
 
+bool is_corrected_by_default(const std::string& kernel) {
+  return coupler::kernel(kernel).gains_by_correction;
+}
+
 }  // namespace tanktread::driver

@@ -10,9 +10,6 @@
 namespace tanktread::driver {
 namespace {
 
-/// So that the number of all nodes is an integer of 64 bits; memory ends long before.
-constexpr int most_nodes_along_axis = 100'000;
-
 /// "none" and the schemes; a program that knows no schemes takes any name.
 std::vector<std::string> viscous_scheme_names() {
   auto names = maxwell_scheme_names();
@@ -252,55 +249,6 @@ std::vector<Key> membrane_keys(const std::string& prefix) {
   const auto viscous = viscous_keys(prefix + "viscous.");
   keys.insert(keys.end(), viscous.begin(), viscous.end());
   return keys;
-}
-
-std::vector<Key> coupler_run_output_keys() {
-  using O = OutputCase;
-  return {
-      key<InCase<&Case::coupler, &CouplerCase::kernel>>("coupler.kernel", "", "discrete delta")
-          .one_of(kernel_names()),
-      key<InCase<&Case::coupler, &CouplerCase::tangential_correction>>(
-          "coupler.tangential_correction", "",
-          "gives nodes back the velocity that smoothing takes off them along the membrane"),
-      key<InCase<&Case::run, &RunCase::shear_time>>("run.shear_time", "shear times", "end of the run")
-          .from(0)
-          .free_on_resume(),
-      key<InCase<&Case::run, &RunCase::threads>>("run.threads", "", "OpenMP threads; 0: all")
-          .from(0)
-          .to(1024)
-          .free_on_resume(),
-      key<InCase<&Case::run, &RunCase::checkpoint_every>>("run.checkpoint_every", "shear times",
-                                                          "between checkpoints; the last two are kept")
-          .above(0)
-          .free_on_resume(),
-      key<InCase<&Case::run, &RunCase::command_time_limit>>(
-          "run.command_time_limit", "s", "of a program for an answer; after it the run stops")
-          .above(0)
-          .free_on_resume(),
-      key<InCase<&Case::run, &RunCase::command_directory>>(
-          "run.command_directory", "",
-          "where packets for programs go; path from the case file; \"\": in memory, removed at the end")
-          .free_on_resume(),
-      key<InCase<&Case::output, &O::observables_every>>("output.observables_every", "shear times",
-                                                        "between rows of observables.csv; 0: never")
-          .from(0)
-          .free_on_resume(),
-      key<InCase<&Case::output, &O::membrane_every>>("output.membrane_every", "shear times",
-                                                     "between membrane files; 0: never")
-          .from(0)
-          .free_on_resume(),
-      key<InCase<&Case::output, &O::fluid_every>>("output.fluid_every", "shear times",
-                                                  "between fluid files; 0: never")
-          .from(0)
-          .free_on_resume(),
-      key<InCase<&Case::output, &O::fluid_box>>(
-          "output.fluid_box", "nodes",
-          "[[x0, x1], [y0, y1], [z0, z1]]: first and last node of fluid files (a slice: x0 = x1)")
-          .from(0)
-          .to(most_nodes_along_axis - 1)
-          .preset("the whole box")
-          .free_on_resume(),
-  };
 }
 
 }  // namespace tanktread::driver

@@ -28,8 +28,8 @@ double cosine5(double r) {
 
 std::vector<Kernel> kernels_and_own() {
   auto all = kernels();
-  all.push_back({"own5", "", 2.5, false, cosine5, nullptr});
-  all.push_back({"own6", "", 3.0, false, cosine6, nullptr});
+  all.push_back({"own5", "", 2.5, false, false, cosine5, nullptr});
+  all.push_back({"own6", "", 3.0, false, false, cosine6, nullptr});
   return all;
 }
 
