@@ -16,6 +16,8 @@ function(tanktread_python_test name)
   set_tests_properties(python.${name} PROPERTIES TIMEOUT 600 ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1;OMP_NUM_THREADS=1")
 endfunction()
 
+tanktread_python_test(cases_cost_of_accuracy)
+tanktread_python_test(cases_large_deformation)
 tanktread_python_test(cases_plan ARGUMENTS $<TARGET_FILE:tanktread>)
 tanktread_python_test(cases_python_membrane ARGUMENTS $<TARGET_FILE:tanktread>)
 tanktread_python_test(cases_run)

@@ -18,10 +18,11 @@ import pathlib
 
 import numpy
 
+from tanktread_post.extrapolation import intercept, line
 from tanktread_post.observables import InputError, Observables
 from tanktread_post.plot import COLOURS, new_axes, save
 from tanktread_post.reference import read_comparison
-from tanktread_post.run_folder import capillary_number_by_shear_modulus, is_finished, read_echo
+from tanktread_post.run_folder import capillary_number_by_shear_modulus, finished_runs, read_echo
 from tanktread_post.table import Table
 
 SETTINGS = (
@@ -93,15 +94,7 @@ def read_run(directory, shear_time):
 
 def read_runs(output, shear_time):
     """The readings of all finished runs below a folder."""
-    directories = sorted(path for path in pathlib.Path(output).iterdir() if path.is_dir()) if pathlib.Path(output).is_dir() else []
-    return [read_run(directory, shear_time) for directory in directories if is_finished(directory)]
-
-
-def intercept(x, y):
-    """Where the straight line through the points (least squares) meets x = 0. NaN with fewer than two x."""
-    if len(set(x)) < 2:
-        return math.nan
-    return float(numpy.polyfit(x, y, 1)[1])
+    return [read_run(directory, shear_time) for directory in finished_runs(output)]
 
 
 def slope_ratio(readings):
@@ -113,11 +106,8 @@ def slope_ratio(readings):
 
 def box_factor(readings, widths):
     """D in a box of L = `widths` radii over D in an unbounded fluid, by a line in (a/L)^3; NaN without two boxes."""
-    x = [(r.radius / r.width) ** 3 for r in readings]
-    if len(set(x)) < 2:
-        return math.nan
-    gradient, unbounded = numpy.polyfit(x, [r.ratio for r in readings], 1)
-    return float(1.0 + gradient / unbounded / widths**3)
+    unbounded, gradient = line([(r.radius / r.width) ** 3 for r in readings], [r.ratio for r in readings])
+    return 1.0 + gradient / unbounded / widths**3
 
 
 class Series:
@@ -256,9 +246,9 @@ def pictures(output, case):
         axes.plot(x, y, "o", color=colour, label=kernel)
         fine = [k for k, radius in enumerate(ratios) if radius >= settings["least_radius"]]
         if len(fine) > 1:
-            line = numpy.polynomial.Polynomial.fit([x[k] for k in fine], [y[k] for k in fine], 1)
+            fitted = numpy.polynomial.Polynomial.fit([x[k] for k in fine], [y[k] for k in fine], 1)
             ends = numpy.array([0, max(x)])
-            axes.plot(ends, line(ends), color=colour, linewidth=1, alpha=0.6)
+            axes.plot(ends, fitted(ends), color=colour, linewidth=1, alpha=0.6)
     axes.axhline(0, color="black", linewidth=0.8)
     axes.set_xlim(left=0)
     axes.legend(frameon=False, title=f"$Ca_G$ = {settings['kernel_capillary_number']:g}, box {settings['box_in_radii']:g} $a$")

@@ -71,6 +71,12 @@ def is_finished(directory):
         return False
 
 
+def finished_runs(output):
+    """The folders of all finished runs below a folder, in the order of their names."""
+    folder = pathlib.Path(output)
+    return [path for path in sorted(folder.iterdir()) if path.is_dir() and is_finished(path)] if folder.is_dir() else []
+
+
 def capillary_number_by_shear_modulus(membrane):
     """Ca_G = mu g a/G_s of a [capsule.membrane] table; E_s = 2 G_s in Skalak's law as the thesis writes it."""
     modulus = membrane["capillary_modulus"]
