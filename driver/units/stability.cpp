@@ -12,13 +12,13 @@ struct Limit {
   double plain, corrected;
 };
 
-/// Some 0.4 to 0.7 of the least onset seen, by kernel (docs/viscous-membranes.md, "Where a run breaks down").
+/// A third to two thirds of the least onset seen, by kernel (docs/viscous-membranes.md, "Where a run breaks down").
 constexpr std::array<Limit, 5> limits = {{
     {"stockie6", 16, 6},
     {"peskin4", 32, 6},
     {"cosine4", 32, 6},
-    {"roma3", 10, 5},
-    {"linear2", 8, 2},
+    {"roma3", 6, 4},
+    {"linear2", 1, 0.7},
 }};
 
 }  // namespace
