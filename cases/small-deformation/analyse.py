@@ -23,14 +23,15 @@ from tanktread_post.observables import InputError, Observables
 from tanktread_post.plot import COLOURS, new_axes, save
 from tanktread_post.reference import read_comparison
 from tanktread_post.run_folder import capillary_number_by_shear_modulus, finished_runs, read_echo
-from tanktread_post.table import Table
+from tanktread_post.table import Table, verdict
+from tanktread_post.viscous_capsule import steady_state
 
 SETTINGS = (
     (
         "shear_time", "band", "laws", "kernel", "slope_kernels", "judged_kernel", "kernels", "kernel_law", "kernel_capillary_number",
         "box_in_radii", "least_radius", "box_radius",
     ),
-    (),
+    ("corrected_kernel", "corrected_bands", "corrected_box_radius", "corrected_inclination_band"),
 )  # fmt: skip
 
 
@@ -47,6 +48,7 @@ class Reading:
     width: int  # grid steps, of the cubic box
     inertia: bool
     theory: float  # D of the theory at this capillary number
+    theory_inclination_deg: float  # to first order in D
     deformation: float
     inclination_deg: float
 
@@ -73,6 +75,11 @@ def theory(membrane):
     return 5.0 / 8.0 * capillary_number_by_shear_modulus(membrane) * (3.0 + 1.0 / area_to_shear_modulus(membrane))
 
 
+def theory_inclination_deg(membrane):
+    """The inclination of the first-order theory for a [capsule.membrane] table, degrees."""
+    return steady_state(capillary_number_by_shear_modulus(membrane), area_modulus=area_to_shear_modulus(membrane))[1]
+
+
 def read_run(directory, shear_time):
     """The reading of one finished run."""
     echo = read_echo(directory)
@@ -87,6 +94,7 @@ def read_run(directory, shear_time):
         width=echo["flow"]["box"][2],
         inertia=echo["flow"]["inertia"],
         theory=theory(capsule["membrane"]),
+        theory_inclination_deg=theory_inclination_deg(capsule["membrane"]),
         deformation=observables.at("deformation", shear_time),
         inclination_deg=observables.at("inclination_deg", shear_time),
     )
@@ -117,6 +125,7 @@ class Series:
         self.settings = settings
         self.readings = [r for r in readings if r.inertia and not r.corrected]
         self.stokes = [r for r in readings if not r.inertia]
+        self.corrected = [r for r in readings if r.inertia and r.corrected and r.kernel == settings.get("corrected_kernel")]
 
     def in_box(self, reading):
         """Whether the run is in the box in which the resolution is varied."""
@@ -212,6 +221,29 @@ def _box_table(series, factor):
     )
 
 
+def _corrected_table(series):
+    """The default, kernel and tangential correction: at each radius judged by itself, the box taken off."""
+    settings = series.settings
+    factor = box_factor([r for r in series.corrected if r.radius == settings["corrected_box_radius"]], settings["box_in_radii"])
+    bands = {radius: band for radius, band in settings["corrected_bands"]}
+    rows, verdicts = [], []
+    for r in sorted((r for r in series.corrected if series.in_box(r)), key=lambda r: r.radius):
+        turned, band = r.inclination_deg - r.theory_inclination_deg, bands.get(r.radius)
+        judged = None if math.isnan(factor) or band is None else (
+            verdict(r.ratio / factor - 1, band) and verdict(turned, settings["corrected_inclination_band"])
+        )
+        verdicts.append(judged)
+        word = {None: "shown only", True: "inside", False: "OUTSIDE"}[judged]
+        band_text = "" if band is None else f"{100 * band:g} %"
+        rows.append((f"{r.radius:g}", _percent(r.ratio), _percent(r.ratio / factor), band_text, f"{r.inclination_deg:.2f}", f"{turned:+.2f}", word))
+    title = (
+        f"{settings['corrected_kernel']} with the tangential correction, the default; the box of {settings['box_in_radii']:g} a "
+        f"changes D by {_percent(factor) or 'an unknown share'}; band of the inclination {settings['corrected_inclination_band']:g} degrees"
+    )
+    header = ("a", "error", "without the box", "band", "inclination", "less theory", "")
+    return Table(title, header, rows, verdicts=tuple(verdicts))
+
+
 def tables(output, case):
     """The errors against the theory; an extrapolated slope is judged by the band."""
     settings = read_comparison(case)["analyse"]
@@ -225,7 +257,8 @@ def tables(output, case):
         _slope_table(series, kernel, factor, radii, before=said if number == 0 else ())
         for number, kernel in enumerate(settings["slope_kernels"])
     ]
-    return [*slopes, _kernel_table(series, factor, radii), _box_table(series, factor)]
+    corrected = [_corrected_table(series)] if "corrected_kernel" in settings else []
+    return [*slopes, _kernel_table(series, factor, radii), _box_table(series, factor), *corrected]
 
 
 def pictures(output, case):

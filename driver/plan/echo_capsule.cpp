@@ -34,7 +34,8 @@ void put_viscous_part(EchoTable& table, const Subject& subject, const std::strin
     return;
   }
   const double g = subject.parameters.shear_rate, tau = viscosity / spring;
-  const double in_viscosities = stable_interval_times_spring(subject.the_case.coupler.tangential_correction);
+  const auto& coupler = subject.the_case.coupler;
+  const double in_viscosities = stable_interval_times_spring(coupler.kernel, coupler.tangential_correction);
   const double limit = in_viscosities * subject.parameters.kinematic_viscosity;
   table.row("Bq_" + part, number(boussinesq), "", fmt::format("mu_{}/(mu_o a)", part));
   table.row("mu_" + part, number(viscosity), in_si(subject, viscosity, newton_second_per_metre, "N s/m"),

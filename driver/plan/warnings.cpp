@@ -133,8 +133,8 @@ void warn_of_interval(Lines& lines, std::size_t number, int interval, const Visc
 }
 
 void warn_of_stability(Lines& lines, std::size_t number, int interval, const ViscousPart& part,
-                       double outer_viscosity, bool tangential_correction) {
-  const double in_viscosities = stable_interval_times_spring(tangential_correction);
+                       double outer_viscosity, const CouplerCase& coupler) {
+  const double in_viscosities = stable_interval_times_spring(coupler.kernel, coupler.tangential_correction);
   const double limit = in_viscosities * outer_viscosity;
   if (interval * part.spring <= limit) return;
   const double ratio = limit / (interval * part.spring);
@@ -144,7 +144,10 @@ void warn_of_stability(Lines& lines, std::size_t number, int interval, const Vis
       "by "
       "{:.3g}{}",
       number, part.letter, interval * part.spring, limit, in_viscosities, part.suffix, 1 / ratio,
-      tangential_correction ? ", or leave out coupler.tangential_correction" : ""));
+      coupler.tangential_correction
+          ? fmt::format(", or set coupler.tangential_correction = false (up to {} mu_o)",
+                        stable_interval_times_spring(coupler.kernel, false))
+          : ""));
 }
 
 void warn_of_viscosity(Lines& lines, std::size_t number, const Case& the_case, const Parameters& p) {
@@ -176,8 +179,7 @@ void warn_of_viscosity(Lines& lines, std::size_t number, const Case& the_case, c
   for (const auto& part : parts_of(law)) {
     if (part.viscosity == 0) continue;
     warn_of_interval(lines, number, law.interval, part);
-    warn_of_stability(lines, number, law.interval, part, p.kinematic_viscosity,
-                      the_case.coupler.tangential_correction);
+    warn_of_stability(lines, number, law.interval, part, p.kinematic_viscosity, the_case.coupler);
   }
 }
 

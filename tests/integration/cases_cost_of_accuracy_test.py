@@ -59,10 +59,10 @@ class CostOfAccuracy(InFolder):
         """A finished run of a case, and its log, in which the fluid takes 80 % of the time."""
         folder = self.folder / "out" / name
         viscous = {"scheme": "fd", "boussinesq_shear": 10.0} if capsule == "viscous" else {"scheme": "none"}
-        write_run(folder, deformation=deformation, inclination=inclination, shear_time=4.0, width=width, radius=width / 6.2, inertia=inertia, viscous=viscous)
+        write_run(folder, deformation=deformation, inclination=inclination, shear_time=4.0, width=width, radius=width / 6.2, inertia=inertia, viscous=viscous, corrected=corrected)
         echo = (folder / "echo.toml").read_text().replace("level = 3", f"level = {level}")
         echo = echo.replace("reynolds_number = 0.1", f"wall_speed = {speed}\nrelaxation_time = {relaxation_time}\nstart = '{start}'")
-        (folder / "echo.toml").write_text(echo.replace("[coupler]", f"[coupler]\ntangential_correction = {str(corrected).lower()}"))
+        (folder / "echo.toml").write_text(echo)
         (folder / "parameters.toml").write_text(f"commit = 'abc'\n[flow]\nsteps_per_shear_time = {width / (2 * speed)!r}\n")
         (self.folder / "out" / f"{name}.log").write_text("cost: fluid 80.0 %, coupler 15.0 %, membrane 5.0 %\nended at step 9 with 40.0 MLUPS; results\n")
 

@@ -97,6 +97,33 @@ class SmallDeformation(InFolder):
         self.assertEqual(code, 0)
         self.assertIn("shown only", text)
 
+    def test_judges_the_default_at_each_radius_without_the_box(self):
+        settings = SETTINGS + """corrected_kernel = "stockie6"
+corrected_bands = [[5.0, 0.02], [8.0, 0.01]]
+corrected_inclination_band = 0.5
+corrected_box_radius = 5.0
+"""
+        (self.folder / "case/compare.toml").write_text(settings)
+
+        def run_of(name, error, radius, width, turned=0.0):
+            deformation = 25 / 12 * 0.02 * (1 + error) * (1 + BOX * (radius / width) ** 3)
+            inclination = 42.69 + turned  # of the theory, to the two digits of cases/small-deformation-viscous
+            more = {"kernel": "stockie6", "corrected": True, "inclination": inclination}
+            write_run(self.folder / "out" / name, deformation=deformation, capillary_number=0.02, radius=radius, width=width, **more)
+
+        for wrong, turned, code in ((0.0099, 0.49, 0), (0.0101, 0, 1), (-0.0101, 0, 1), (0, 0.51, 1), (0, -0.51, 1)):
+            with self.subTest(wrong=wrong, turned=turned):
+                run_of("a5", 0.0199, 5.0, 45)
+                run_of("a5-box", 0.0199, 5.0, 30)
+                run_of("a8", wrong, 8.0, 72, turned)
+                self.assertEqual(self.compare()[0], code)
+        run_of("a5", 0.0201, 5.0, 45)
+        run_of("a5-box", 0.0201, 5.0, 30)
+        run_of("a8", 0, 8.0, 72)
+        code, text = self.compare()
+        self.assertEqual(code, 1)
+        self.assertIn(f"changes D by {100 * BOX / 9**3:+.2f} %", text)
+
     def test_shows_what_is_there(self):
         self.run_of("one")
         self.run_of("roma", kernel="roma3", factor=1.1)

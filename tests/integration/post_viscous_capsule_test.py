@@ -120,6 +120,29 @@ class Drop(unittest.TestCase):
             self.assertAlmostEqual(inclination, float(row["inclination_deg"]), delta=1e-4)
 
 
+class DefaultCoupling(unittest.TestCase):
+    BOX = 1.01  # how much larger the shear rate is in the box of the case
+
+    def theory(self, name, shear, dilatational, spring, factor):
+        if "drop" in name:
+            return drop_steady_state(0.05 * factor, shear, dilatational)
+        if "stiff" in name:
+            return start_up(factor, 0.02 * factor, shear, spring * factor)
+        # A Maxwell element that relaxes in 2 tau_s, at the frequency g.
+        return steady_state(0.02 * factor, boussinesq_shear=shear / (1 + 2j * spring))
+
+    def test_the_reference_of_the_case_is_this_theory(self):
+        rows = reference.read_table(ROOT / "cases/small-deformation-viscous/reference/default.csv")
+        self.assertEqual(len(rows), 12)
+        for row in rows:
+            numbers = [float(row[column]) for column in ("bq_s", "bq_d", "tau_s_g")]
+            unbounded, _ = self.theory(row["run"], *numbers, 1)
+            deformation, inclination = self.theory(row["run"], *numbers, self.BOX)
+            self.assertAlmostEqual(unbounded, float(row["deformation_unbounded"]), delta=1e-6)
+            self.assertAlmostEqual(deformation, float(row["deformation"]), delta=1e-6)
+            self.assertAlmostEqual(inclination, float(row["inclination_deg"]), delta=1e-4)
+
+
 class StartUp(unittest.TestCase):
     # The slowest part decays as exp(-1.1 t). The spring is mu_s g/tau_s = 4e6 beside the membrane's 50: 1.3e-5.
     def test_ends_in_the_steady_state(self):
