@@ -26,8 +26,10 @@ Entries those(const Entries& entries, const std::set<std::string>& names, bool a
 
 void add_lonely(const Entries& entries, const char* where, DifferenceReport& report) {
   if (entries.empty()) return;
-  report.add(fmt::format("{} entries only in {}, the first of them '{}'", entries.size(), where,
-                         entries.front().file));
+  const auto& first = entries.front().file;
+  report.add(entries.size() == 1 ? fmt::format("an entry only in {}: '{}'", where, first)
+                                 : fmt::format("{} entries only in {}, the first of them '{}'",
+                                               entries.size(), where, first));
 }
 
 bool same_files(const Entries& a, const Entries& b) {

@@ -83,7 +83,9 @@ std::string OutputSeries::remark(std::int64_t step, const std::vector<std::int64
     if (named < step && !std::ranges::binary_search(kept, named)) ++n_gone;
   }
   if (n_gone == 0) return "";
-  return fmt::format("{}: {} entries name files that are not there", series().string(), n_gone);
+  return fmt::format(
+      "{}: {} not there", series().string(),
+      n_gone == 1 ? "an entry names a file that is" : fmt::format("{} entries name files that are", n_gone));
 }
 
 void OutputSeries::cut(const std::vector<std::int64_t>& kept, const std::vector<std::int64_t>& times,

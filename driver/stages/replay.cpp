@@ -31,7 +31,9 @@ std::vector<ReplayedArray> replay(const ReplayOptions& options) {
   with_stage_errors([&] {
     ReplayRecord record(options);
     // The meshes are in the record; of the programs the component's own is started.
-    const FilesUsed used{false, options.component == "fluid", options.component == "membrane"};
+    const FilesUsed used{.meshes = false,
+                         .fluid_program = options.component == "fluid",
+                         .membrane_programs = options.component == "membrane"};
     replay_component(record, options.component,
                      read_case(options.record / "echo.toml", options.assignments, used));
     result = record.differences();

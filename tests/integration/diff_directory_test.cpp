@@ -62,7 +62,7 @@ TEST_F(Diff, ComparesSeriesAndTheirFiles) {
   EXPECT_THAT(
       ended.output,
       AllOf(
-          HasSubstr("membrane.pvd: 1 entries only in the second, the first of them 'membrane/m_1.vtu'\n"),
+          HasSubstr("membrane.pvd: an entry only in the second: 'membrane/m_1.vtu'\n"),
           HasSubstr(
               "series times: max 0.25, rms 0.25, 1 of 1 values; largest at entry 0 (membrane/m_0.vtu); first "
               "at entry 0 (membrane/m_0.vtu): 0.5 against 0.75\n"),
