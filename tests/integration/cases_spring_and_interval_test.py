@@ -31,10 +31,7 @@ band = 0.01
 def write_peak(folder, stiffness, peak, number=10.0, interval=1, scheme="fd", corrected=False):
     """A finished run whose D rises to a peak, falls, and rises to a higher one later."""
     viscous = {"scheme": scheme, "boussinesq_shear": number, "spring_stiffness": stiffness, "interval": interval}
-    write_echo(folder, viscous=viscous, shear_time=3.0)
-    if corrected:
-        echo = folder / "echo.toml"
-        echo.write_text(echo.read_text().replace("[coupler]", "[coupler]\ntangential_correction = true"))
+    write_echo(folder, viscous=viscous, shear_time=3.0, corrected=corrected)
     with open(folder / "parameters.toml", "a") as stream:
         stream.write(f"viscous.interval_times_shear_spring = {interval * stiffness / 675!r}\n")
     times = numpy.linspace(0, 3, 301)

@@ -51,9 +51,7 @@ class Measured(InFolder):
 
     def test_a_corrected_coupler_shows(self):
         self.add("plain", 0.04)
-        write_run(self.folder / "corrected", deformation=0.05)
-        echo = self.folder / "corrected/echo.toml"
-        echo.write_text(echo.read_text().replace("[coupler]", "[coupler]\ntangential_correction = true"))
+        write_run(self.folder / "corrected", deformation=0.05, corrected=True)
         file = measured.add(self.folder / "case", self.folder / "corrected", "corrected", (3.0,), "cases/run case corrected")
         rows = {row["run"]: row for row in reference.read_table(file)}
         self.assertEqual([rows[run]["tangential_correction"] for run in ("plain", "corrected")], ["", "true"])
