@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "coupler/surface_check.hpp"
+
 namespace tanktread::coupler {
 namespace {
 
@@ -61,22 +63,6 @@ void require_finite(const std::string& what, std::size_t surface, std::span<cons
   }
 }
 
-void require_surface(std::size_t n_positions, std::span<const int> triangles, std::size_t n_normals) {
-  if (n_positions % 3 != 0 || n_normals != n_positions) {
-    throw std::invalid_argument("coupler: positions of " + std::to_string(n_positions) + " and normals of " +
-                                std::to_string(n_normals) + " numbers, must both be 3 a node");
-  }
-  if (triangles.size() % 3 != 0) {
-    throw std::invalid_argument("coupler: triangles of " + std::to_string(triangles.size()) +
-                                " numbers, must be 3 a triangle");
-  }
-  for (const int node : triangles) {
-    if (node >= 0 && static_cast<std::size_t>(node) < n_positions / 3) continue;
-    throw std::invalid_argument("coupler: a triangle names node " + std::to_string(node) + " of " +
-                                std::to_string(n_positions / 3));
-  }
-}
-
 }  // namespace
 
 double tangential_shortfall(const Kernel& kernel) {
@@ -85,7 +71,7 @@ double tangential_shortfall(const Kernel& kernel) {
 
 void node_normals(std::span<const double> positions, std::span<const int> triangles,
                   std::span<double> normals) {
-  require_surface(positions.size(), triangles, normals.size());
+  require_surface(positions.size(), triangles, "normals", normals.size());
   for (double& component : normals) component = 0.0;
   for (std::size_t t = 0; t < triangles.size(); t += 3) {
     for (int corner = 0; corner < 3; ++corner) {

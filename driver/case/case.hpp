@@ -87,6 +87,7 @@ struct CapsuleCase {
 struct CouplerCase {
   std::string kernel = "stockie6";
   bool tangential_correction = true;  ///< where a case does not say: by the kernel
+  bool keep_volume = false;
 
   bool operator==(const CouplerCase&) const = default;
 };

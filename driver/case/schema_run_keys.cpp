@@ -28,6 +28,9 @@ std::vector<Key> coupler_run_output_keys() {
           "coupler.tangential_correction", "",
           "gives nodes back the velocity that smoothing takes off them along the membrane")
           .preset(with_corrected_kernels()),
+      key<InCase<&Case::coupler, &CouplerCase::keep_volume>>(
+          "coupler.keep_volume", "",
+          "moves nodes a little along the gradient of each capsule's volume, which stays the same then"),
       key<InCase<&Case::run, &RunCase::shear_time>>("run.shear_time", "shear times", "end of the run")
           .from(0)
           .free_on_resume(),

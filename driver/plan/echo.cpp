@@ -85,13 +85,19 @@ void put_schedule(EchoTable& table, const Subject& subject, const std::string& n
             in_si(subject, static_cast<double>(interval), second, "s"), note);
 }
 
+std::string said_of(const CouplerCase& coupler) {
+  std::vector<std::string> parts;
+  if (coupler.tangential_correction) parts.emplace_back("with the tangential correction");
+  if (coupler.keep_volume) parts.emplace_back("the volume is kept");
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
 void put_run(EchoTable& table, const Subject& subject) {
   const auto& the_case = subject.the_case;
   const auto& p = subject.parameters;
   const auto n_steps = last_step_of(the_case, p);
   table.section("run");
-  table.row("kernel", the_case.coupler.kernel, "",
-            the_case.coupler.tangential_correction ? "with the tangential correction" : "");
+  table.row("kernel", the_case.coupler.kernel, "", said_of(the_case.coupler));
   table.row("steps a shear time", fmt::format("{:.1f}", p.steps_per_shear_time),
             in_si(subject, p.steps_per_shear_time, second, "s"), "1/g");
   table.row("steps", fmt::format("{}", n_steps), in_si(subject, static_cast<double>(n_steps), second, "s"),

@@ -40,11 +40,11 @@ void run(const InterpolateStage& stage) {
   const auto coupler = make_coupler(stage.the_case);
   build_stencils(*coupler, surfaces.positions);
   auto out = surface_file(surfaces, step_of(file.field_data, stage.in.string()));
-  const auto correction = make_tangential_correction(stage.the_case, *coupler);
+  const auto corrections = make_node_corrections(stage.the_case, *coupler);
   NodeVectors force;
-  if (correction) force = vectors_of(file, "total_force", surfaces, stage.in.string());
+  if (corrections.along_membrane) force = vectors_of(file, "total_force", surfaces, stage.in.string());
   try {
-    add_vectors(out, "velocity", velocity_of_nodes(*coupler, correction, grid, surfaces, force));
+    add_vectors(out, "velocity", velocity_of_nodes(*coupler, corrections, grid, surfaces, force));
   } catch (const coupler::CorrectionError& error) {
     throw InputError(stage.in.string() + ": " + error.what());
   } catch (const std::invalid_argument& error) {

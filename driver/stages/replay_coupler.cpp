@@ -7,12 +7,12 @@ namespace {
 
 void feed(ReplayRecord& record, const Case& the_case) {
   const auto coupler = make_coupler(the_case);
-  const auto correction = make_tangential_correction(the_case, *coupler);
+  const auto corrections = make_node_corrections(the_case, *coupler);
   for (auto step = record.first_step(); step <= record.last_step(); ++step) {
     const auto before = record.surfaces_before(step);
     build_stencils(*coupler, before.positions);
     record.compare(Packet::node_velocity, step,
-                   velocity_of_nodes(*coupler, correction, record.grid(Packet::grid_velocity, step, true),
+                   velocity_of_nodes(*coupler, corrections, record.grid(Packet::grid_velocity, step, true),
                                      before, record.force_before(step)));
     record.compare(
         Packet::grid_force, step,

@@ -10,10 +10,13 @@ std::unique_ptr<coupler::Coupler> make_coupler(const Case& the_case) {
                                             the_case.run.threads);
 }
 
-std::optional<coupler::TangentialCorrection> make_tangential_correction(const Case& the_case,
-                                                                        const coupler::Coupler& coupler) {
-  if (!the_case.coupler.tangential_correction) return std::nullopt;
-  return coupler::TangentialCorrection(coupler, flow_parameters(the_case).kinematic_viscosity);  // density 1
+NodeCorrections make_node_corrections(const Case& the_case, const coupler::Coupler& coupler) {
+  NodeCorrections corrections;
+  corrections.keeps_volume = the_case.coupler.keep_volume;
+  if (the_case.coupler.tangential_correction) {
+    corrections.along_membrane.emplace(coupler, flow_parameters(the_case).kinematic_viscosity);  // density 1
+  }
+  return corrections;
 }
 
 }  // namespace tanktread::driver

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "coupler/coupler.hpp"
-#include "coupler/tangential_correction.hpp"
 #include "driver/case/case.hpp"
 #include "driver/system/capsule_membrane.hpp"
+#include "driver/system/node_corrections.hpp"
 #include "driver/units/units.hpp"
 #include "fluid/fluid.hpp"
 
@@ -19,9 +19,8 @@ std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const FlowParamet
 
 /// The coupler of a case, without stencils.
 std::unique_ptr<coupler::Coupler> make_coupler(const Case& the_case);
-/// What a case adds to the velocity that its coupler interpolates; nothing: it does not ask for that.
-std::optional<coupler::TangentialCorrection> make_tangential_correction(const Case& the_case,
-                                                                        const coupler::Coupler& coupler);
+/// What a case adds to the velocity that its coupler interpolates.
+NodeCorrections make_node_corrections(const Case& the_case, const coupler::Coupler& coupler);
 
 /// The stress-free mesh of a capsule, and the hash of the file that it was made of ("": of none).
 struct ReferenceMesh {

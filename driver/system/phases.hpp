@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "coupler/coupler.hpp"
-#include "coupler/tangential_correction.hpp"
 #include "driver/packets/packets.hpp"
 #include "driver/system/capsule_membrane.hpp"
+#include "driver/system/node_corrections.hpp"
 #include "fluid/fluid.hpp"
 
 namespace tanktread::driver {
@@ -34,15 +34,14 @@ GridVectors grid_velocity(const fluid::Fluid& fluid, std::span<const std::int64_
 void build_stencils(coupler::Coupler& coupler, const NodeVectors& positions);
 
 /// 2. coupler: the velocity u_m(t) of the nodes (Eq. 2.3), with the stencils at x(t), and what a kernel takes
-/// off it along the surfaces (docs/kernels.md) if that is to be given back.
-/// @param correction nothing: as interpolated
+/// off it along the surfaces (docs/kernels.md) if that is to be given back; then, if it is to be kept, the
+/// volume of each surface is that of x(t) after the move.
 /// @param velocity on all nodes that the stencils touch, or more
 /// @param surfaces at x(t)
-/// @param force F_m(t), looked at for the correction only
+/// @param force F_m(t), looked at for the correction along the surfaces only
 /// @throws std::invalid_argument if a node that a stencil touches is missing
 /// @throws coupler::CorrectionError
-NodeVectors velocity_of_nodes(const coupler::Coupler& coupler,
-                              const std::optional<coupler::TangentialCorrection>& correction,
+NodeVectors velocity_of_nodes(const coupler::Coupler& coupler, const NodeCorrections& corrections,
                               const GridVectors& velocity, const Surfaces& surfaces,
                               const NodeVectors& force);
 

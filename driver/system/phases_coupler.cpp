@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "coupler/volume.hpp"
 #include "driver/system/phases.hpp"
 
 namespace tanktread::driver {
@@ -36,16 +37,26 @@ std::vector<std::span<double>> targets_of(NodeVectors& vectors) {
   return spans;
 }
 
+std::span<const int> triangles_of(const Surfaces& surfaces, std::size_t surface) {
+  const auto& triangles = surfaces.triangles[surface];
+  return {triangles.data(), static_cast<std::size_t>(triangles.size())};
+}
+
 NodeVectors normals_of(const Surfaces& surfaces) {
   NodeVectors normals = zero_like(surfaces.positions);
   const auto positions = views(surfaces.positions);
   const auto targets = targets_of(normals);
   for (std::size_t k = 0; k < targets.size(); ++k) {
-    const auto& triangles = surfaces.triangles[k];
-    coupler::node_normals(positions[k], {triangles.data(), static_cast<std::size_t>(triangles.size())},
-                          targets[k]);
+    coupler::node_normals(positions[k], triangles_of(surfaces, k), targets[k]);
   }
   return normals;
+}
+
+void keep_volume(const Surfaces& surfaces, const std::vector<std::span<double>>& velocity) {
+  const auto positions = views(surfaces.positions);
+  for (std::size_t k = 0; k < velocity.size(); ++k) {
+    coupler::keep_volume(positions[k], triangles_of(surfaces, k), velocity[k]);
+  }
 }
 
 }  // namespace
@@ -54,8 +65,7 @@ void build_stencils(coupler::Coupler& coupler, const NodeVectors& positions) {
   coupler.build(views(positions));
 }
 
-NodeVectors velocity_of_nodes(const coupler::Coupler& coupler,
-                              const std::optional<coupler::TangentialCorrection>& correction,
+NodeVectors velocity_of_nodes(const coupler::Coupler& coupler, const NodeCorrections& corrections,
                               const GridVectors& velocity, const Surfaces& surfaces,
                               const NodeVectors& force) {
   NodeVectors result = zero_like(surfaces.positions);
@@ -65,7 +75,10 @@ NodeVectors velocity_of_nodes(const coupler::Coupler& coupler,
   } else {
     coupler.interpolate(picked(velocity, coupler.grid_nodes()), targets);
   }
-  if (correction) correction->add(coupler, views(normals_of(surfaces)), views(force), targets);
+  if (corrections.along_membrane) {
+    corrections.along_membrane->add(coupler, views(normals_of(surfaces)), views(force), targets);
+  }
+  if (corrections.keeps_volume) keep_volume(surfaces, targets);
   return result;
 }
 

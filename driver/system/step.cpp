@@ -31,7 +31,7 @@ void advance_phases(System& system, Passage& passage) {
   // 2. u_m(t), with the stencils at x(t) (and F_m(t), for the tangential correction).
   const auto before = surfaces_of(system.membranes);
   system.node_velocity = timed(seconds.coupler, [&] {
-    return velocity_of_nodes(coupler, system.tangential_correction, velocity, before, system.node_force);
+    return velocity_of_nodes(coupler, system.corrections, velocity, before, system.node_force);
   });
   passage.pass(system, Packet::node_velocity, system.node_velocity);
 

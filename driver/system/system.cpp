@@ -13,7 +13,7 @@ System make_system(const Case& the_case, const Parameters& parameters,
   system.shear_rate = parameters.shear_rate;
   system.fluid = make_fluid(the_case, parameters);
   system.coupler = make_coupler(the_case);
-  system.tangential_correction = make_tangential_correction(the_case, *system.coupler);
+  system.corrections = make_node_corrections(the_case, *system.coupler);
   system.membranes = make_membranes(the_case, parameters, meshes);
   system.node_velocity = system.node_force = zero_like(positions_of(system.membranes));
   try {

@@ -3,14 +3,13 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "coupler/coupler.hpp"
-#include "coupler/tangential_correction.hpp"
 #include "driver/case/case.hpp"
 #include "driver/packets/packets.hpp"
 #include "driver/system/capsule_membrane.hpp"
+#include "driver/system/node_corrections.hpp"
 #include "driver/units/units.hpp"
 #include "fluid/fluid.hpp"
 
@@ -27,7 +26,7 @@ struct ComponentSeconds {
 struct System {
   std::unique_ptr<fluid::Fluid> fluid;
   std::unique_ptr<coupler::Coupler> coupler;
-  std::optional<coupler::TangentialCorrection> tangential_correction;
+  NodeCorrections corrections;
   std::vector<CapsuleMembrane> membranes;
 
   std::int64_t step = 0;

@@ -39,9 +39,9 @@ class Stages : public ::testing::Test {
  protected:
   void SetUp() override { std::ofstream(path("case.toml")) << staged_case; }
 
-  /// Gives the case the tangential correction.
+  /// Gives the case all that changes the velocity of nodes: the tangential correction, and that volumes are kept.
   void correct() const {
-    std::ofstream(path("case.toml"), std::ios::app) << "[coupler]\ntangential_correction = true\n";
+    std::ofstream(path("case.toml"), std::ios::app) << "[coupler]\ntangential_correction = true\nkeep_volume = true\n";
   }
 
   std::string path(const std::string& name) const { return (directory_ / name).string(); }

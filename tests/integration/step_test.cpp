@@ -6,6 +6,7 @@
 #include "driver/run/observables.hpp"
 #include "driver/system/components.hpp"
 #include "driver/system/step.hpp"
+#include "membrane/shape.hpp"
 #include "tests/integration/program.hpp"
 
 namespace tanktread::driver {
@@ -157,6 +158,29 @@ TEST(System, AMeshTooNearAWallIsBadInput) {
   auto meshes = reference_meshes(c);
   meshes[1].points.row(2).array() -= 7.5;
   EXPECT_THROW(make_system(c, parameters(c), meshes), InputError);
+}
+
+TEST(Step, KeepsTheVolumesIfAskedTo) {
+  for (const std::string kernel : {"stockie6", "roma3"}) {
+    const auto change = [&](const std::string& keep) {
+      auto system = make(parse({"coupler.kernel=" + kernel, "coupler.keep_volume=" + keep}));
+      const auto volumes = [&] {
+        std::vector<double> all;
+        for (const auto& m : system.membranes)
+          all.push_back(membrane::volume_moments(m.positions(), m.reference().triangles).volume);
+        return all;
+      };
+      const auto before = volumes();
+      for (int k = 0; k < 50; ++k) advance(system);
+      double largest = 0;
+      for (std::size_t k = 0; k < before.size(); ++k)
+        largest = std::max(largest, std::abs(volumes()[k] / before[k] - 1));
+      return largest;
+    };
+    // Some 300 triangles: each step rounds their sum by 1e-15 of it, and leaves 1e-3 of a change that is 1e-8.
+    EXPECT_LT(change("true"), 50 * (1e-14 + 1e-11)) << kernel;
+    EXPECT_GT(change("false"), 1e-7) << kernel;
+  }
 }
 
 TEST(Step, StopsOnNotANumber) {

@@ -1,0 +1,16 @@
+// What is added to the velocity that the coupler interpolates to the nodes of membranes.
+#pragma once
+
+#include <optional>
+
+#include "coupler/tangential_correction.hpp"
+
+namespace tanktread::driver {
+
+/// By coupler.tangential_correction and coupler.keep_volume.
+struct NodeCorrections {
+  std::optional<coupler::TangentialCorrection> along_membrane;  ///< nothing: as interpolated
+  bool keeps_volume = false;                                    ///< of each capsule, in each step
+};
+
+}  // namespace tanktread::driver
