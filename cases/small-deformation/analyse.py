@@ -124,8 +124,8 @@ class Series:
     def __init__(self, readings, settings):
         self.settings = settings
         self.readings = [r for r in readings if r.inertia and not r.corrected]
-        self.stokes = [r for r in readings if not r.inertia]
-        self.corrected = [r for r in readings if r.inertia and r.corrected and r.kernel == settings.get("corrected_kernel")]
+        self.stokes = [r for r in readings if not r.inertia and not r.corrected]
+        self.corrected = [r for r in readings if not r.inertia and r.corrected and r.kernel == settings.get("corrected_kernel")]
 
     def in_box(self, reading):
         """Whether the run is in the box in which the resolution is varied."""

@@ -108,7 +108,7 @@ corrected_box_radius = 5.0
         def run_of(name, error, radius, width, turned=0.0):
             deformation = 25 / 12 * 0.02 * (1 + error) * (1 + BOX * (radius / width) ** 3)
             inclination = 42.69 + turned  # of the theory, to the two digits of cases/small-deformation-viscous
-            more = {"kernel": "stockie6", "corrected": True, "inclination": inclination}
+            more = {"kernel": "stockie6", "corrected": True, "inertia": False, "inclination": inclination}
             write_run(self.folder / "out" / name, deformation=deformation, capillary_number=0.02, radius=radius, width=width, **more)
 
         for wrong, turned, code in ((0.0099, 0.49, 0), (0.0101, 0, 1), (-0.0101, 0, 1), (0, 0.51, 1), (0, -0.51, 1)):

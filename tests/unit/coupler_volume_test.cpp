@@ -62,7 +62,8 @@ TEST(KeepVolume, OfASwellingOctahedron) {
   const double bc = 8, ca = 12, ab = 6;
   for (int k = 0; k < 18; ++k) {
     const int axis = k % 3, node = k / 3;
-    if (axis != node / 2) EXPECT_NEAR(velocity[k], 0, 10 * eps) << k;
+    if (axis == node / 2) continue;
+    EXPECT_NEAR(velocity[k], 0, 10 * eps) << k;
   }
   const double along_x = velocity[0] - asked[0], along_y = velocity[7] - asked[7],
                along_z = velocity[14] - asked[14];
