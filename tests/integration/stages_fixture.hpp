@@ -35,14 +35,15 @@ observables_every = 0.002
 membrane_every = 0.004
 )";  // 500 steps a shear time: 20 steps
 
+/// A kernel that has no tangential correction unless a case asks for it: fewer packets are needed.
+inline constexpr const char* plain_coupler = "[coupler]\nkernel = \"cosine4\"\n";
+
 class Stages : public ::testing::Test {
  protected:
-  void SetUp() override { std::ofstream(path("case.toml")) << staged_case; }
+  void SetUp() override { std::ofstream(path("case.toml")) << staged_case << plain_coupler; }
 
-  /// Gives the case the tangential correction.
-  void correct() const {
-    std::ofstream(path("case.toml"), std::ios::app) << "[coupler]\ntangential_correction = true\n";
-  }
+  /// Gives the case the default kernel, with the tangential correction.
+  void correct() const { std::ofstream(path("case.toml")) << staged_case; }
 
   std::string path(const std::string& name) const { return (directory_ / name).string(); }
 
@@ -66,7 +67,7 @@ class Stages : public ::testing::Test {
   const TemporaryDirectory directory_;
 };
 
-/// The same with and without the tangential correction.
+/// With the default kernel, which has the tangential correction, and with one that has not.
 class CorrectedOrNot : public Stages, public ::testing::WithParamInterface<bool> {
  protected:
   void SetUp() override {
