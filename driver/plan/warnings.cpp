@@ -138,15 +138,16 @@ void warn_of_stability(Lines& lines, std::size_t number, int interval, const Vis
   const double limit = in_viscosities * outer_viscosity;
   if (interval * part.spring <= limit) return;
   const double ratio = limit / (interval * part.spring);
+  const double without_correction = stable_interval_times_spring(coupler.kernel, false);
+  const bool is_enough = interval * part.spring <= without_correction * outer_viscosity;
   lines.push_back(fmt::format(
       "capsule {}: N k_{}' = {:.3g} is over {:.3g} = {} mu_o, beyond which runs break down or may: divide "
       "the stiffness of the spring (membrane.viscous.spring_...{}), the interval, or the speed of the flow "
       "by "
       "{:.3g}{}",
       number, part.letter, interval * part.spring, limit, in_viscosities, part.suffix, 1 / ratio,
-      coupler.tangential_correction
-          ? fmt::format(", or set coupler.tangential_correction = false (up to {} mu_o)",
-                        stable_interval_times_spring(coupler.kernel, false))
+      is_enough
+          ? fmt::format(", or set coupler.tangential_correction = false (up to {} mu_o)", without_correction)
           : ""));
 }
 

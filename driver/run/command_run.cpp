@@ -65,7 +65,7 @@ void add_run_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("run", "Run a case, or go on from its last checkpoint");
   auto arguments = std::make_shared<RunArguments>();
   auto* case_file = command->add_option("case", arguments->case_file, "Case file (TOML; docs/case-file.md)");
-  auto* output = command->add_option("--output", arguments->output,
+  auto* output = command->add_option("--output,--out", arguments->output,
                                      "Output directory (default: output/NAME of the case)");
   auto* force =
       command->add_flag("--force", arguments->force, "Remove an earlier run from the output directory");

@@ -42,6 +42,8 @@ boussinesq_dilatational = 2.0
 spring_stiffness = 50.0
 interval = 5
 strain_sampling = "moving-average"
+[coupler]
+kernel = "cosine4"
 [run]
 threads = 1
 """
@@ -72,7 +74,7 @@ class Variant:
     extends: bool = False  # --resume --shear-time: a run of half the steps is at its end
 
 
-CORRECTION = ("--set", "coupler.tangential_correction=true")
+CORRECTION = ("--set", "coupler.kernel=stockie6")  # the default, which has the tangential correction
 PLAIN = Variant("plain")
 TABLE_ONLY = Variant("table only", ("--set", "output.membrane_every=0", "--set", "output.fluid_every=0"))
 CORRECTED = Variant("corrected", CORRECTION)

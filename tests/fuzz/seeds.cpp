@@ -129,7 +129,8 @@ std::string observables_to_step_50() {
 
 std::vector<std::string> assignments() {
   return {"flow.box=[20, 20, 20]", "capsule.0.radius=5", "flow.box.2=30",
-          "flow.start=developed",  "title=\"a\"",        "membrane={capillary_number = 0.1}"};
+          "flow.start=developed",  "title=\"a\"",        "membrane={capillary_number = 0.1}",
+          "coupler.kernel=roma3",  "coupler={}",         "coupler.tangential_correction=false"};
 }
 
 std::vector<std::string> words_of_vtk() {

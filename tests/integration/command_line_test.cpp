@@ -134,6 +134,20 @@ TEST(CommandLine, AMessagesCommandLineIsQuotedForTheShell) {
               HasSubstr("--record '" + (directory / "no record").string() + "'"));
 }
 
+TEST(CommandLine, TheOutputOfARunMayBeCalledAsThatOfAStage) {
+  const TemporaryDirectory directory;
+  std::ofstream(directory / "case.toml") << quick_case;
+  const auto case_file = (directory / "case.toml").string(), output = (directory / "output").string();
+  const auto ended = run_program({"run", case_file, "--out", output});
+  ASSERT_EQ(ended.exit_code, 0) << ended.output;
+  EXPECT_TRUE(std::filesystem::exists(directory / "output/observables.csv"));
+  const auto twice = run_program({"run", case_file, "--out", output, "--output", output + "_too"});
+  EXPECT_EQ(twice.exit_code, 2) << twice.output;
+  EXPECT_FALSE(std::filesystem::exists(output + "_too"));
+  EXPECT_THAT(run_program({"run", "--resume", output, "--out", output + "_too"}).output,
+              HasSubstr("--output"));
+}
+
 TEST(CommandLine, AMeshOfAnotherFormatIsToldTheConversion) {
   const TemporaryDirectory directory;
   std::ofstream(directory / "cell.stl") << "solid cell\nendsolid cell\n";

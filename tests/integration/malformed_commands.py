@@ -40,6 +40,7 @@ RUNS = [
     Row("a resume of nothing", "run --resume none", ["--resume none", "echo.toml"]),
     Row("a resume of a file", "run --resume case.toml", ["--resume case.toml", "echo.toml"]),
     Row("a resume elsewhere", "run --resume out --output new", ["--resume", "--output"]),
+    Row("a resume elsewhere by another name", "run --resume out --out new", ["--resume", "--output"]),
     Row("a resume with other keys", "run --resume out --set run.threads=1", ["--resume", "--set"]),
     Row("a resume into the past", "run --resume out --shear-time 0.001", ["--shear-time 0.001", "give a later time"], run=True),
     Row("a record that ends before it begins", RUN + " --record r --from 5 --to 2", ["--from 5 --to 2"]),

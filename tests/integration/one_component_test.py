@@ -159,7 +159,7 @@ class OneComponent(unittest.TestCase):
 
     def test_a_mistake_in_the_case_is_refused_in_the_words_of_the_whole_program(self):
         for component in COMPONENTS:
-            for mistake in ("flow.bocks=1", "flow.relaxation_time=0.4", "membrane.capillary_number=-1", "coupler=1", "run.threads=2.5"):
+            for mistake in ("flow.bocks=1", "flow.relaxation_time=0.4", "membrane.capillary_number=-1", "coupler=1", "coupler.tangential_correction=1", "run.threads=2.5"):
                 with self.subTest(component=component, mistake=mistake):
                     command = f"{READING[component]} --set {mistake}"
                     ours, whole = self.call(alone(component), command), self.call(WHOLE, command)

@@ -39,7 +39,9 @@ std::vector<Refusal> refusals() {
       changed_key("Ca", "capillary_number = 0.3", "capillary_number = 0.2", "membrane.capillary_number: 0.3"),
       changed_key("radius", "radius = 5.0", "radius = 4.0", "capsule.0.radius: 5.0"),
       changed_key("level", "level = 2", "level = 1", "capsule.0.mesh.level: 2"),
-      changed_key("kernel", "\"cosine4\"", "\"roma3\"", "coupler.kernel: \"cosine4\""),
+      changed_key("kernel", "\"stockie6\"", "\"roma3\"", "coupler.kernel: \"stockie6\""),
+      changed_key("correction", "tangential_correction = true", "tangential_correction = false",
+                  "coupler.tangential_correction: true"),
       changed_key("modulus of Ca", "\"E_s\"", "\"G_s\"", "membrane.capillary_modulus: \"E_s\""),
       {"a capsule more",
        [](const fs::path& run) {

@@ -35,13 +35,19 @@ observables_every = 0.002
 membrane_every = 0.004
 )";  // 500 steps a shear time: 20 steps
 
+/// A kernel that has no tangential correction unless a case asks for it: fewer packets are needed.
+inline constexpr const char* plain_coupler = "[coupler]\nkernel = \"cosine4\"\n";
+
 class Stages : public ::testing::Test {
  protected:
-  void SetUp() override { std::ofstream(path("case.toml")) << staged_case; }
+  void SetUp() override { std::ofstream(path("case.toml")) << staged_case << plain_coupler; }
 
-  /// Gives the case all that changes the velocity of nodes: the tangential correction, and that volumes are kept.
+  /// Gives the case all that changes the velocity of nodes: the default kernel, with the tangential correction,
+  /// and volumes that are kept.
   void correct() const {
-    std::ofstream(path("case.toml"), std::ios::app) << "[coupler]\ntangential_correction = true\nkeep_volume = true\n";
+    std::ofstream(path("case.toml")) << staged_case << "[coupler]
+keep_volume = true
+";
   }
 
   std::string path(const std::string& name) const { return (directory_ / name).string(); }
@@ -66,7 +72,7 @@ class Stages : public ::testing::Test {
   const TemporaryDirectory directory_;
 };
 
-/// The same with and without the tangential correction.
+/// With the default kernel, which has the tangential correction, and with one that has not.
 class CorrectedOrNot : public Stages, public ::testing::WithParamInterface<bool> {
  protected:
   void SetUp() override {

@@ -192,7 +192,7 @@ TEST(Step, StopsOnNotANumber) {
 }
 
 TEST(Step, StopsWhereTheTangentialCorrectionHasAForceThatIsNotFinite) {
-  auto system = make(parse({"coupler.tangential_correction=true"}));
+  auto system = make(parse());
   advance(system);
   system.node_force[1](2, 7) = std::nan("");
   EXPECT_THAT(breakdown(system), HasSubstr("step 2: the force of node 7 of surface 1 is not finite"));

@@ -16,6 +16,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::SizeIs;
 
 /// 2000 steps a shear time: g = 2 U0/L = 5e-4, so every default interval is a whole number of steps; Re =
@@ -94,9 +95,9 @@ TEST(CaseWarnings, Neighbours) {
         parse(quiet_case + "[[capsule]]\nradius = 6\nposition = [" + x + ", 20, 20]\n", {"flow.box.0=80"});
     return warnings(the_case, parameters(the_case), {}, Placement(the_case, reference_meshes(the_case)));
   };
-  EXPECT_THAT(with_second("36"), IsEmpty());  // 4 grid steps apart: the width of cosine4
-  EXPECT_THAT(with_second("35.9"),
-              ElementsAre(AllOf(HasSubstr("3.9 grid steps apart"), HasSubstr("cosine4"))));
+  EXPECT_THAT(with_second("38"), IsEmpty());  // 6 grid steps apart: the width of stockie6
+  EXPECT_THAT(with_second("37.9"),
+              ElementsAre(AllOf(HasSubstr("5.9 grid steps apart"), HasSubstr("stockie6"))));
 }
 
 TEST(CaseWarnings, IntervalsThatRoundingChanges) {
@@ -130,7 +131,8 @@ TEST(CaseWarnings, AnIntervalLongerThanTheRelaxationTime) {
                         .viscous->shear_viscosity;
   const auto with_interval = [&](int interval) {
     return warnings_of({"membrane.viscous={scheme = \"fd\", boussinesq_shear = 1, spring_modulus = " +
-                        std::to_string(mu_s / 5) + ", interval = " + std::to_string(interval) + "}"});
+                            std::to_string(mu_s / 5) + ", interval = " + std::to_string(interval) + "}",
+                        "coupler.tangential_correction=false"});  // which would need a softer spring
   };
   EXPECT_THAT(with_interval(4), IsEmpty());
   EXPECT_THAT(with_interval(6),
@@ -138,26 +140,35 @@ TEST(CaseWarnings, AnIntervalLongerThanTheRelaxationTime) {
 }
 
 TEST(CaseWarnings, ASpringTooStiffForAnExplicitUpdate) {
-  // least_case has mu_o = 1/6: 32 mu_o = 5.33. With Bq_s = 100 (mu_s = 100) no interval here exceeds tau.
+  // least_case has mu_o = 1/6: with this kernel, without the correction, 32 mu_o = 5.33. With Bq_s = 100
+  // (mu_s = 100) no interval here exceeds tau.
   const auto with = [&](const std::string& keys) {
-    return warnings_of({"membrane.viscous={scheme = \"fd\", boussinesq_shear = 100, " + keys + "}"});
+    return warnings_of({"membrane.viscous={scheme = \"fd\", boussinesq_shear = 100, " + keys + "}",
+                        "coupler.kernel=cosine4"});
   };
   EXPECT_THAT(with("spring_modulus = 5.3"), IsEmpty());
   EXPECT_THAT(with("spring_modulus = 16.0"),
               ElementsAre(AllOf(HasSubstr("N k_s' = 16 is over 5.33"), HasSubstr("by 3"))));
   EXPECT_THAT(with("spring_modulus = 0.53, interval = 10"), IsEmpty());
-  // With the tangential correction 6 mu_o = 1.
-  const auto corrected = [](const std::string& modulus) {
-    return warnings_of(
-        {"membrane.viscous={scheme = \"fd\", boussinesq_shear = 100, spring_modulus = " + modulus + "}",
-         "coupler.tangential_correction=true"});
-  };
-  EXPECT_THAT(corrected("0.99"), IsEmpty());
-  EXPECT_THAT(corrected("1.01"), ElementsAre(AllOf(HasSubstr("is over 1 = 6 mu_o"),
-                                                   HasSubstr("leave out coupler.tangential_correction"))));
   EXPECT_THAT(with("spring_modulus = 0.54, interval = 10"), ElementsAre(HasSubstr("N k_s' = 5.4 is over")));
   EXPECT_THAT(with("spring_modulus = 0.1, boussinesq_dilatational = 100, spring_modulus_dilatational = 8"),
               ElementsAre(AllOf(HasSubstr("N k_d' = 8 is over"), HasSubstr("spring_..._dilatational"))));
+}
+
+TEST(CaseWarnings, ASpringTooStiffForTheTangentialCorrection) {
+  // 6 mu_o = 1, with the default kernel. Without the correction 16 mu_o = 2.67 would do.
+  const auto with = [](const std::string& modulus, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> assignments = {
+        "membrane.viscous={scheme = \"fd\", boussinesq_shear = 100, spring_modulus = " + modulus + "}"};
+    assignments.insert(assignments.end(), more.begin(), more.end());
+    return warnings_of(assignments);
+  };
+  const std::string fix = "set coupler.tangential_correction = false (up to 16 mu_o)";
+  EXPECT_THAT(with("0.99"), IsEmpty());
+  EXPECT_THAT(with("1.01"), ElementsAre(AllOf(HasSubstr("is over 1 = 6 mu_o"), HasSubstr(fix))));
+  EXPECT_THAT(with("2.6"), ElementsAre(HasSubstr(fix)));
+  EXPECT_THAT(with("2.6", {"coupler.tangential_correction=false"}), IsEmpty());
+  EXPECT_THAT(with("2.7"), ElementsAre(AllOf(HasSubstr("is over 1 = 6 mu_o"), Not(HasSubstr("coupler.")))));
 }
 
 TEST(CaseWarnings, CapillaryNumbersThatNoCapsuleHas) {

@@ -29,7 +29,7 @@ TEST(CouplerKernels, HaveARowEachInTheListOfMoments) {
 }
 
 TEST(CouplerKernels, BeginWithTheDefaultOfTheCaseFile) {
-  EXPECT_EQ(kernels().front().name, "cosine4");
+  EXPECT_EQ(kernels().front().name, "stockie6");
 }
 
 TEST(CouplerKernels, UnknownNameListsTheKnown) {

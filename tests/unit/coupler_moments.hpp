@@ -30,6 +30,35 @@ inline const std::vector<Moments>& known_moments() {
   static const double root2 = std::sqrt(2.0), root7 = std::sqrt(7.0), root13 = std::sqrt(13.0),
                       root231 = std::sqrt(231.0);
   static const std::vector<Moments> rows = {
+      // At the phase 0 the quadratic equation has the root 0; at 1/2 it has (sqrt(231) - 21)/224.
+      {"stockie6",
+       {{0.0, 5.0 / 8.0},
+        {0.5, 9.0 / 16.0 + (root231 - 21.0) / 112.0},
+        {1.0, 1.0 / 4.0},
+        {1.5, -1.0 / 16.0 - 3.0 * (root231 - 21.0) / 224.0},
+        {2.0, -1.0 / 16.0},
+        {2.5, (root231 - 21.0) / 224.0}},
+       0.0,
+       0.0,
+       {67.0 / 128.0, 67.0 / 128.0},  // 25/64 + 2/16 + 2/256
+       0.0,
+       1.6756,
+       {1.941895, -0.0647725},  // by search outside the project
+       0.173756},               // by summation outside the project
+      {"peskin4",
+       {{0.0, 1.0 / 2.0},
+        {0.25, (5.0 + root7) / 16.0},  // (5/2 + sqrt(7/4)) / 8
+        {0.5, (2.0 + root2) / 8.0},
+        {1.0, 1.0 / 4.0},
+        {1.5, (2.0 - root2) / 8.0},
+        {1.75, (3.0 - root7) / 16.0}},  // (3/2 - sqrt(7/4)) / 8
+       0.0,
+       0.0,
+       {3.0 / 8.0, 3.0 / 8.0},
+       0.5242,
+       0.6731,
+       {2.0, 0.0},
+       0.380992},  // by summation outside the project
       // First moment: s - 1/2 + cos(pi s/2 + pi/4)/sqrt(2) has its extrema where the sine of that angle is
       // 2 sqrt(2)/pi; there it is 0.0210881.
       {"cosine4",
@@ -65,20 +94,6 @@ inline const std::vector<Moments>& known_moments() {
        // means
        // of q and q^2 are 1/4 + pi/(3 sqrt(3)) and 3/4.
        0.5 - (2.25 + 2.0 * std::numbers::pi / (3.0 * std::sqrt(3.0))) / 18.0 - 1.0 / 24.0},
-      {"peskin4",
-       {{0.0, 1.0 / 2.0},
-        {0.25, (5.0 + root7) / 16.0},  // (5/2 + sqrt(7/4)) / 8
-        {0.5, (2.0 + root2) / 8.0},
-        {1.0, 1.0 / 4.0},
-        {1.5, (2.0 - root2) / 8.0},
-        {1.75, (3.0 - root7) / 16.0}},  // (3/2 - sqrt(7/4)) / 8
-       0.0,
-       0.0,
-       {3.0 / 8.0, 3.0 / 8.0},
-       0.5242,
-       0.6731,
-       {2.0, 0.0},
-       0.380992},  // by summation outside the project
       // On a node the even-odd sum and that of the squares are 1; half-way between two nodes, 0 and 1/2. The
       // second moment is s (1 - s), its r.m.s. sqrt(1/30).
       {"linear2",
@@ -90,21 +105,6 @@ inline const std::vector<Moments>& known_moments() {
        0.0690,
        {1.0, 0.0},
        1.0 / 6.0},  // s (1 - s)
-      // At the phase 0 the quadratic equation has the root 0; at 1/2 it has (sqrt(231) - 21)/224.
-      {"stockie6",
-       {{0.0, 5.0 / 8.0},
-        {0.5, 9.0 / 16.0 + (root231 - 21.0) / 112.0},
-        {1.0, 1.0 / 4.0},
-        {1.5, -1.0 / 16.0 - 3.0 * (root231 - 21.0) / 224.0},
-        {2.0, -1.0 / 16.0},
-        {2.5, (root231 - 21.0) / 224.0}},
-       0.0,
-       0.0,
-       {67.0 / 128.0, 67.0 / 128.0},  // 25/64 + 2/16 + 2/256
-       0.0,
-       1.6756,
-       {1.941895, -0.0647725},  // by search outside the project
-       0.173756},               // by summation outside the project
   };
   return rows;
 }

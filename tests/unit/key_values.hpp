@@ -5,12 +5,19 @@
 
 namespace tanktread::testing {
 
+/// A key that is true where no case says anything.
+inline bool is_true_by_default(const driver::Key& key) {
+  driver::Case defaults;
+  defaults.capsules.emplace_back();
+  return std::get<bool>(key.get(defaults, 0));
+}
+
 /// A value the key may hold that is not its default.
 inline driver::Value another_value(const driver::Key& key) {
   using driver::Kind;
   switch (key.kind) {
     case Kind::boolean:
-      return driver::Value(key.preset != "true");
+      return driver::Value(!is_true_by_default(key));
     case Kind::integer:
       return 7;
     case Kind::real:

@@ -76,18 +76,19 @@ struct Refused {
 };
 
 TEST(Placement, RefusesOneOnEachSideOfItsBound) {
-  // The kernel reaches 2. An ellipsoid has nodes at the ends of its axes.
+  // The kernel reaches 3. An ellipsoid has nodes at the ends of its axes.
   const Eigen::Vector3d disc(2, 1, 0.5), sphere(1, 1, 1), tall(1, 1, 2);
   const std::vector<Refused> all = {
       {disc,
-       {"capsule.0.position.2=4.5"},
-       {"capsule.0.position.2=4.4"},
-       {"capsule.0.position = [20, 20, 4.4]: leaves 1.9 grid steps between capsule and wall",
-        "z must be from 4.5 to 27.5"}},
+       {"capsule.0.position.2=5.5"},
+       {"capsule.0.position.2=5.4"},
+       {"capsule.0.position = [20, 20, 5.4]: leaves 2.9 grid steps between capsule and wall",
+        "z must be from 5.5 to 26.5", "or coupler.kernel = \"peskin4\", which reaches 2"}},
+      {disc, {"capsule.0.position.2=5.4", "coupler.kernel=peskin4"}, {}, {}},
       {tall,
        {},
-       {"flow.box.2=23", "capsule.0.position.2=11.5", "capsule.1.position.2=11.5"},
-       {"2 problems", "flow.box along z must be at least 24, or the radius at most 4.75"}},
+       {"flow.box.2=25", "capsule.0.position.2=12.5", "capsule.1.position.2=12.5"},
+       {"2 problems", "flow.box along z must be at least 26, or the radius at most 4.75"}},
       {disc,
        {"flow.box.0=40", "flow.box.1=80", "capsule.1.position=[20, 60, 16]", "capsule.1.radius=9.9"},
        {"flow.box.0=40", "flow.box.1=80", "capsule.1.position=[20, 60, 16]", "capsule.1.radius=10.1"},
@@ -141,8 +142,8 @@ TEST(Placement, WarnsByTheDistanceOfTheMeshes) {
   const Eigen::Vector3d disc(2, 1, 0.5);
   EXPECT_THAT(Files({}, disc).warnings(), IsEmpty());
   // One above the other, the spheres of their radius would overlap.
-  EXPECT_THAT(Files({"capsule.1.position=[20, 20, 25.5]", "capsule.0.position.2=16.4"}, disc).warnings(),
-              ::testing::Contains(HasSubstr("capsules 0 and 1 are 4.1 grid steps apart")).Times(0));
+  EXPECT_THAT(Files({"capsule.1.position=[20, 20, 25.5]", "capsule.0.position.2=14.4"}, disc).warnings(),
+              ::testing::Contains(HasSubstr("capsules 0 and 1 are 6.1 grid steps apart")).Times(0));
   EXPECT_THAT(Files({"capsule.1.position=[20, 20, 24]"}, disc).warnings(),
               ::testing::Contains(HasSubstr("capsules 0 and 1 are 3 grid steps apart")));
   // Side by side, the spheres would be 13 apart.
