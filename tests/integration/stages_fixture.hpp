@@ -45,9 +45,7 @@ class Stages : public ::testing::Test {
   /// Gives the case all that changes the velocity of nodes: the default kernel, with the tangential correction,
   /// and volumes that are kept.
   void correct() const {
-    std::ofstream(path("case.toml")) << staged_case << "[coupler]
-keep_volume = true
-";
+    std::ofstream(path("case.toml")) << staged_case << "[coupler]\nkeep_volume = true\n";
   }
 
   std::string path(const std::string& name) const { return (directory_ / name).string(); }
