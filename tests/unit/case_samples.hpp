@@ -49,6 +49,7 @@ capillary_modulus = "E_s"
 area_ratio = 10.5
 [coupler]
 kernel = "roma3"
+keep_volume = true
 tangential_correction = true
 [run]
 shear_time = 3.3
