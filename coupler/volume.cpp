@@ -33,14 +33,21 @@ struct Places {
   }
 };
 
-}  // namespace
+/// Six times A.
+std::vector<double> gradient_of(const Places& at, std::span<const int> triangles) {
+  std::vector<double> gradient(at.positions.size());
+  for (std::size_t t = 0; t < triangles.size(); t += 3) {
+    for (int corner = 0; corner < 3; ++corner) {
+      const Vector part = cross(at[triangles[t + (corner + 1) % 3]], at[triangles[t + (corner + 2) % 3]]);
+      for (int axis = 0; axis < 3; ++axis) gradient[3 * triangles[t + corner] + axis] += part[axis];
+    }
+  }
+  return gradient;
+}
 
-void keep_volume(std::span<const double> positions, std::span<const int> triangles,
-                 std::span<double> velocity) {
-  require_surface(positions.size(), triangles, "velocities", velocity.size());
-  const Places at{positions};
-  std::vector<double> gradient(positions.size());  // six times A
-  double change = 0;                               // six times that of the volume
+/// Six times V(x + v) - V(x).
+double change_of_volume(const Places& at, std::span<const int> triangles, std::span<const double> velocity) {
+  double change = 0;
   for (std::size_t t = 0; t < triangles.size(); t += 3) {
     std::array<Vector, 3> before, after;
     for (int corner = 0; corner < 3; ++corner) {
@@ -48,15 +55,25 @@ void keep_volume(std::span<const double> positions, std::span<const int> triangl
       for (int axis = 0; axis < 3; ++axis) after[corner][axis] += velocity[3 * triangles[t + corner] + axis];
     }
     change += volume_of(after[0], after[1], after[2]) - volume_of(before[0], before[1], before[2]);
-    for (int corner = 0; corner < 3; ++corner) {
-      const Vector part = cross(before[(corner + 1) % 3], before[(corner + 2) % 3]);
-      for (int axis = 0; axis < 3; ++axis) gradient[3 * triangles[t + corner] + axis] += part[axis];
-    }
   }
+  return change;
+}
+
+}  // namespace
+
+void keep_volume(std::span<const double> positions, std::span<const int> triangles,
+                 std::span<double> velocity) {
+  require_surface(positions.size(), triangles, "velocities", velocity.size());
+  const Places at{positions};
+  const auto gradient = gradient_of(at, triangles);
   double squares = 0;
   for (const double component : gradient) squares += component * component;
   if (squares == 0) return;  // a surface without a triangle
-  for (std::size_t k = 0; k < velocity.size(); ++k) velocity[k] -= change / squares * gradient[k];
+  // The first leaves the change times the strain of a step, the second the square of that.
+  for (int iteration = 0; iteration < 2; ++iteration) {
+    const double factor = change_of_volume(at, triangles, velocity) / squares;
+    for (std::size_t k = 0; k < velocity.size(); ++k) velocity[k] -= factor * gradient[k];
+  }
 }
 
 }  // namespace tanktread::coupler

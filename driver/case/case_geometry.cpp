@@ -58,7 +58,7 @@ std::optional<Objection> wall_objection(const Case& the_case, std::size_t number
       fmt::format("leaves {:.6g} grid steps between capsule and wall, but the kernel {} reaches {:g} "
                   "from the membrane and has no correction at a wall; {}{}",
                   gap, kernel, *reach, room_at_walls(capsule, axis, extent, *reach, length),
-                  narrower_kernel(gap))};
+                  narrower_kernel(std::min(gap, 0.5 * *std::ranges::min_element(the_case.flow.box))))};
 }
 
 std::optional<Objection> image_objection(const Case& the_case, std::size_t number, int axis,

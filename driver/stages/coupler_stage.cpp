@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "driver/packets/packet_files.hpp"
 #include "driver/program/memory.hpp"
 #include "driver/program/output_file.hpp"
@@ -30,6 +32,21 @@ void run(const SpreadStage& stage) {
                                             step_of(file.field_data, stage.in.string())));
 }
 
+/// What the tangential correction needs beside the velocity.
+NodeVectors forces_to_correct_by(const exchange::SurfacePacket& file, const Surfaces& surfaces,
+                                 const std::string& name) {
+  const bool is_there =
+      std::ranges::any_of(file.point_data, [](const auto& array) { return array.name == "total_force"; });
+  if (!is_there) {
+    throw InputError(fmt::format(
+        "{}: array 'total_force' is missing, from which the tangential correction follows; give a file that "
+        "has it (a membrane file of a run, --out of `tanktread membrane`), or "
+        "--set coupler.tangential_correction=false",
+        name));
+  }
+  return vectors_of(file, "total_force", surfaces, name);
+}
+
 void run(const InterpolateStage& stage) {
   check_output({"--out", stage.out}, surface_output(), {{"--in", stage.in}, {"--grid", stage.grid}});
   require_memory_for_grid(stage.the_case);
@@ -42,7 +59,7 @@ void run(const InterpolateStage& stage) {
   auto out = surface_file(surfaces, step_of(file.field_data, stage.in.string()));
   const auto corrections = make_node_corrections(stage.the_case, *coupler);
   NodeVectors force;
-  if (corrections.along_membrane) force = vectors_of(file, "total_force", surfaces, stage.in.string());
+  if (corrections.along_membrane) force = forces_to_correct_by(file, surfaces, stage.in.string());
   try {
     add_vectors(out, "velocity", velocity_of_nodes(*coupler, corrections, grid, surfaces, force));
   } catch (const coupler::CorrectionError& error) {
