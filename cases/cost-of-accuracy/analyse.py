@@ -92,8 +92,8 @@ def read_measured(case, entry, settings):
         width=width,
         level=int(row["mesh"].split()[-1]),
         wall_speed=wall_speed,
-        relaxation_time=1.0,
-        inertia=True,
+        relaxation_time=1.0,  # of all runs that compare.toml names
+        inertia=row.get("inertia") != "false",
         steps=time * width / (2 * wall_speed),  # g = 2 U0/L
         **{name: number_in(file, name, row) for name in (*QUANTITIES, "volume_ratio", "fluid_percent")},
     )

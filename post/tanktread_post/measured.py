@@ -20,8 +20,8 @@ QUANTITIES = ("deformation", "inclination_deg", "length", "width", "breadth", "v
 PARAMETERS = ("elastic_law", "capillary_number", "capillary_modulus", "kernel", "radius", "box", "mesh", "shear_rate_by")
 COST = ("mlups", "fluid_percent", "coupler_percent", "membrane_percent")
 VISCOUS = ("scheme", "boussinesq_shear", "boussinesq_dilatational", "spring", "interval", "strain_sampling")
-COUPLER = ("tangential_correction",)  # true, or nothing
-COLUMNS = ("run", *PARAMETERS, "shear_time", *QUANTITIES, *COST, *VISCOUS, *COUPLER)
+SWITCHES = ("tangential_correction", "inertia", "keep_volume")  # true, or nothing; inertia: false, or nothing
+COLUMNS = ("run", *PARAMETERS, "shear_time", *QUANTITIES, *COST, *VISCOUS, *SWITCHES)
 OWN = ("results.csv", "means.csv")  # what is written here for any case
 MEANS = ("run", "from", "to", *QUANTITIES, "highest_deformation", "highest_at")  # means, but for the last two: over the whole run
 
@@ -52,12 +52,21 @@ def viscous_parameters(echo):
     return {name: str(viscous.get(name, "")) for name in VISCOUS} | {"spring": " ".join(springs)}
 
 
+def switches(echo):
+    """What a run has on or off, as text where it is not as in most."""
+    coupler = echo["coupler"]
+    return {
+        "tangential_correction": "true" if coupler.get("tangential_correction") else "",
+        "inertia": "" if echo["flow"].get("inertia", True) else "false",
+        "keep_volume": "true" if coupler.get("keep_volume") else "",
+    }
+
+
 def rows_of(directory, run, shear_times, log=None):
     """The rows of one run at the shear times asked for, as dictionaries of text."""
     observables, cost = Observables(directory), read_cost(log)
     echo = read_echo(directory)
-    corrected = "true" if echo["coupler"].get("tangential_correction") else ""
-    common = {"run": run, **parameters(echo), **viscous_parameters(echo), "tangential_correction": corrected}
+    common = {"run": run, **parameters(echo), **viscous_parameters(echo), **switches(echo)}
     rows = []
     for time in shear_times:
         row = {**common, "shear_time": f"{time:g}"}
