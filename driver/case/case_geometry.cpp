@@ -77,12 +77,13 @@ std::optional<Objection> image_objection(const Case& the_case, std::size_t numbe
 void check_width(CaseReader& reader, const Case& the_case) {
   const auto reach = kernel_half_width(the_case.coupler.kernel);
   const auto& box = the_case.flow.box;
-  const int least = *std::ranges::min_element(box);
-  if (!reach || the_case.capsules.empty() || least >= std::ceil(2 * *reach)) return;
+  const auto shortest = std::ranges::min_element(box);
+  if (!reach || the_case.capsules.empty() || *shortest >= std::ceil(2 * *reach)) return;
   reader.problem(
       "flow.box",
-      fmt::format("has an axis of {} nodes, but the kernel {} is {:.0f} wide; make it longer{}", least,
-                  the_case.coupler.kernel, std::ceil(2 * *reach), narrower_kernel(0.5 * least)));
+      fmt::format("has {} nodes along {}, but the kernel {} is {:.0f} wide; make it at least that{}",
+                  *shortest, "xyz"[shortest - box.begin()], the_case.coupler.kernel, std::ceil(2 * *reach),
+                  narrower_kernel(0.5 * *shortest)));
 }
 
 void check_place(CaseReader& reader, std::size_t number, const Case& the_case) {

@@ -40,9 +40,8 @@ CaseReader::CaseReader(const std::string& text, const std::string& name,
                        const std::vector<std::string>& assignments)
     : name_(name) {
   if (const auto line = line_of_deep_key(text)) {
-    throw InputError(
-        fmt::format("{}:{}: a key of more than {} parts; no key of a case has so many, remove it", name,
-                    *line, most_key_parts));
+    throw InputError(fmt::format("{}:{}: a key of more than {} parts; no key of a case has so many, remove it", name,
+                                 *line, most_key_parts));
   }
   try {
     document_ = toml::parse(text, name);

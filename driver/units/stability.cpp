@@ -12,7 +12,8 @@ struct Limit {
   double plain, corrected;
 };
 
-/// A third to two thirds of the least onset seen, by kernel (docs/viscous-membranes.md, "Where a run breaks down").
+/// A third to two thirds of the least onset seen, by kernel (docs/viscous-membranes.md, "Where a run
+/// breaks down").
 constexpr std::array<Limit, 5> limits = {{
     {"stockie6", 16, 6},
     {"peskin4", 32, 6},

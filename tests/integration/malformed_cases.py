@@ -113,7 +113,7 @@ TOGETHER = [
     assigned("a capsule outside the box", "capsule.0.position=[6, 6, 60]", "capsule.0.position", "outside the box"),
     assigned("a capsule in the wall", "capsule.0.position=[6, 6, 1]", "capsule.0.position", "wall"),
     assigned("a capsule near a wall", "capsule.0.position=[6, 6, 5.5]", "leaves 2.5 grid steps", "stockie6 reaches 3", 'or coupler.kernel = "peskin4"'),
-    whole("a box narrower than the kernel", NARROW, "flow.box", "an axis of 5 nodes", "stockie6 is 6 wide", 'or coupler.kernel = "peskin4"'),
+    whole("a box narrower than the kernel", NARROW, "flow.box", "5 nodes along x", "stockie6 is 6 wide", 'or coupler.kernel = "peskin4"'),
     assigned("a capsule over its image", "capsule.0.radius=6.5", "capsule.0.radius", "periodic image"),
     assigned("a position that is not a number", "capsule.0.position=[6, nan, 6]", "capsule.0.position"),
     text("two capsules in one place", "[membrane]", "[[capsule]]\nradius = 3\nposition = [6, 6, 6]\n[membrane]", "overlaps capsule 0"),

@@ -80,8 +80,8 @@ TEST(CaseGeometry, ABoxNarrowerThanTheKernelIsRefusedWithAKernelThatFits) {
     const std::vector<std::string> narrow = {"flow.box.1=" + nodes, "capsule.0.position.1=2",
                                              "capsule.0.radius=1.5"};
     EXPECT_THAT(refusal(least_case, narrow),
-                AllOf(HasSubstr("flow.box"), HasSubstr("has an axis of " + nodes + " nodes"),
-                      HasSubstr("stockie6 is 6 wide"), HasSubstr("make it longer"),
+                AllOf(HasSubstr("flow.box"), HasSubstr("has " + nodes + " nodes along y"),
+                      HasSubstr("stockie6 is 6 wide"), HasSubstr("make it at least that"),
                       HasSubstr("coupler.kernel = \"peskin4\"")));
     expect_a_kernel_that_fits("stockie6", narrow);
   }
