@@ -43,6 +43,7 @@ tanktread_python_test(post_picture DISPLAY)
 tanktread_python_test(post_series)
 tanktread_python_test(post_study)
 tanktread_python_test(post_surface_files)
+tanktread_python_test(post_surface_text_files)
 tanktread_python_test(post_viscous_capsule)
 
 add_test(NAME include_graph
