@@ -1,6 +1,7 @@
 #include "coupler/volume.hpp"
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "coupler/surface_check.hpp"
@@ -72,6 +73,7 @@ void keep_volume(std::span<const double> positions, std::span<const int> triangl
   // The first leaves the change times the strain of a step, the second the square of that.
   for (int iteration = 0; iteration < 2; ++iteration) {
     const double factor = change_of_volume(at, triangles, velocity) / squares;
+    if (!std::isfinite(factor)) return;  // by one node, whose own velocity shall say so
     for (std::size_t k = 0; k < velocity.size(); ++k) velocity[k] -= factor * gradient[k];
   }
 }

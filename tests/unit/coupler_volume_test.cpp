@@ -112,6 +112,20 @@ TEST(KeepVolume, LeavesWhatKeepsItByItself) {
   for (std::size_t k = 0; k < shift.size(); ++k) EXPECT_NEAR(shift[k], asked[k], 1e4 * eps) << k;
 }
 
+TEST(KeepVolume, OneNodeThatIsNotFiniteDoesNotSpoilTheOthers) {
+  const Octahedron octahedron;
+  Numbers velocity(18, 1e-3);
+  velocity[7] = std::nan("");
+  keep_volume(octahedron.positions, octahedron.triangles, velocity);
+  for (int k = 0; k < 18; ++k) {
+    if (k == 7) {
+      EXPECT_TRUE(std::isnan(velocity[k]));
+    } else {
+      EXPECT_EQ(velocity[k], 1e-3) << k;
+    }
+  }
+}
+
 TEST(KeepVolume, RefusesWhatIsNoSurface) {
   Octahedron octahedron;
   Numbers velocity(18), short_velocity(15), nothing;
