@@ -13,6 +13,7 @@
 #include "driver/command_line.hpp"
 #include "driver/program/errors.hpp"
 #include "driver/program/file_system_error.hpp"
+#include "driver/program/waiting_threads.hpp"
 
 namespace {
 
@@ -60,6 +61,7 @@ std::string parse_message(const CLI::App& app, const CLI::ParseError& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const tanktread::driver::WaitingThreads waiting_threads;
   int exit_code = 0;
   const auto app = tanktread::driver::command_line(exit_code);
   try {

@@ -45,6 +45,7 @@ tanktread_python_test(post_study)
 tanktread_python_test(post_surface_files)
 tanktread_python_test(post_surface_text_files)
 tanktread_python_test(post_viscous_capsule)
+tanktread_python_test(waiting_threads ARGUMENTS $<TARGET_FILE:tanktread>)
 
 add_test(NAME include_graph
   COMMAND ${TANKTREAD_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/integration/include_graph.py ${PROJECT_SOURCE_DIR})

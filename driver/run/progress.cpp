@@ -24,9 +24,13 @@ void Progress::observe(const std::vector<Observation>& observations) {
   measured_ = fmt::format("D {:.4f}  inclination {:6.2f} deg", first.deformation, first.inclination_deg);
 }
 
+double Progress::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
 double Progress::mlups(std::int64_t step) const {
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  return seconds > 0 ? 1e-6 * static_cast<double>(n_nodes_ * (step - first_step_)) / seconds : 0.0;
+  const double elapsed = seconds();
+  return elapsed > 0 ? 1e-6 * static_cast<double>(n_nodes_ * (step - first_step_)) / elapsed : 0.0;
 }
 
 void Progress::update(std::int64_t step) {

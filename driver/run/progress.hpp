@@ -22,6 +22,8 @@ class Progress {
   void update(std::int64_t step);
   /// Prints the last line, whatever the time.
   void finish(std::int64_t step);
+  /// Since the start.
+  double seconds() const;
   /// Million lattice node updates a second since the start.
   double mlups(std::int64_t step) const;
 

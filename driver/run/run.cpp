@@ -4,12 +4,12 @@
 
 #include <memory>
 
-#include "driver/plan/duration.hpp"
 #include "driver/program/file_system_error.hpp"
 #include "driver/program/output_directory.hpp"
 #include "driver/program/signals.hpp"
 #include "driver/program/version.hpp"
 #include "driver/run/checkpoint.hpp"
+#include "driver/run/closing.hpp"
 #include "driver/run/output.hpp"
 #include "driver/run/progress.hpp"
 #include "driver/stages/file_passage.hpp"
@@ -27,19 +27,6 @@ void write_echo(const Plan& plan, const std::filesystem::path& directory) {
 
 void write_parameters(const Plan& plan, const std::filesystem::path& directory, const std::string& commits) {
   exchange::write_text(directory / "parameters.toml", parameters_toml(plan.parameters, commits));
-}
-
-/// The last lines of a run: where it ended, how fast it was, which component took how much.
-void print_closing(const System& system, const Progress& progress, const std::filesystem::path& directory) {
-  const auto& seconds = system.seconds;
-  const double total = seconds.fluid + seconds.coupler + seconds.membrane;
-  if (total > 0) {
-    fmt::print("cost: fluid {:.1f} %, coupler {:.1f} %, membrane {:.1f} % of {}\n",
-               100 * seconds.fluid / total, 100 * seconds.coupler / total, 100 * seconds.membrane / total,
-               duration_text(total));
-  }
-  fmt::print("ended at step {} with {:.1f} MLUPS; results are in {}\n", system.step,
-             progress.mlups(system.step), directory.string());
 }
 
 /// Ends the progress line, and the run with an error that names its last good state.
@@ -107,15 +94,18 @@ std::unique_ptr<Passage> make_passage(const PacketOptions& packets, const Plan& 
                                     plan.the_case);
 }
 
-/// A step and what is due after it.
-void advance_and_write(System& system, Passage& passage, const Plan& plan, Output& output, Progress& progress,
-                       const Schedule& checkpoints, std::int64_t last_step,
-                       const std::filesystem::path& directory) {
+/// A step and what is due after it. @return the seconds that the files of that took
+double advance_and_write(System& system, Passage& passage, const Plan& plan, Output& output,
+                         Progress& progress, const Schedule& checkpoints, std::int64_t last_step,
+                         const std::filesystem::path& directory) {
   advance(system, passage);
+  const double before = progress.seconds();
   progress.observe(output.write(system, system.step == last_step));
   if (checkpoints.due(system.step) || system.step == last_step)
     write_checkpoint(system, plan.the_case, output.n_rows(), directory);
+  const double files = progress.seconds() - before;
   progress.update(system.step);
+  return files;
 }
 
 int run_on(System& system, Passage& passage, const Plan& plan, Output& output,
@@ -124,13 +114,16 @@ int run_on(System& system, Passage& passage, const Plan& plan, Output& output,
   const std::int64_t last_step = last_step_of(plan.the_case, plan.parameters);
   const auto checkpoints = schedule_of(plan.the_case.run.checkpoint_every, plan.parameters);
   Progress progress(system.step, last_step, system.fluid->shape().size(), plan.parameters.shear_rate);
+  double files = 0;
   try {
     while (system.step < last_step && SignalGuard::caught() == 0) {
-      advance_and_write(system, passage, plan, output, progress, checkpoints, last_step, directory);
+      files += advance_and_write(system, passage, plan, output, progress, checkpoints, last_step, directory);
     }
     if (system.step > first_step && system.step < last_step) {
+      const double before = progress.seconds();
       write_checkpoint(system, plan.the_case, output.n_rows(), directory);
       passage.stopped(system);
+      files += progress.seconds() - before;
     }
   } catch (const RunError& error) {
     stop_broken(error.what(), system, progress, directory);
@@ -140,7 +133,7 @@ int run_on(System& system, Passage& passage, const Plan& plan, Output& output,
     stop_broken(message_of(error), system, progress, directory);
   }
   progress.finish(system.step);
-  print_closing(system, progress, directory);
+  print_closing(system, plan.the_case, progress, files, directory);
   if (SignalGuard::caught() == 0) return 0;
   if (system.step < last_step) {
     fmt::print("stopped by a signal; go on with: tanktread run --resume {}\n",

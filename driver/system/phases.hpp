@@ -33,17 +33,27 @@ GridVectors grid_velocity(const fluid::Fluid& fluid, std::span<const std::int64_
 /// the next step. @throws coupler::StencilError
 void build_stencils(coupler::Coupler& coupler, const NodeVectors& positions);
 
-/// 2. coupler: the velocity u_m(t) of the nodes (Eq. 2.3), with the stencils at x(t), and what a kernel takes
-/// off it along the surfaces (docs/kernels.md) if that is to be given back; then, if it is to be kept, the
-/// volume of each surface is that of x(t) after the move.
-/// @param velocity on all nodes that the stencils touch, or more
-/// @param surfaces at x(t)
-/// @param force F_m(t), looked at for the correction along the surfaces only
-/// @throws std::invalid_argument if a node that a stencil touches is missing
-/// @throws coupler::CorrectionError
+/// 2. coupler: the velocity u_m(t) of the nodes (Eq. 2.3), with the stencils at x(t):
+/// interpolated_velocity(), then correct_velocity(). Parameters and exceptions as there.
 NodeVectors velocity_of_nodes(const coupler::Coupler& coupler, const NodeCorrections& corrections,
                               const GridVectors& velocity, const Surfaces& surfaces,
                               const NodeVectors& force);
+
+/// The first part of 2.: what the stencils at x(t) find.
+/// @param velocity on all nodes that the stencils touch, or more
+/// @param positions x(t), for their number
+/// @throws std::invalid_argument if a node that a stencil touches is missing
+NodeVectors interpolated_velocity(const coupler::Coupler& coupler, const GridVectors& velocity,
+                                  const NodeVectors& positions);
+
+/// The second part of 2.: adds what a kernel takes off the velocity along the surfaces (docs/kernels.md) if
+/// that is to be given back; then, if it is to be kept, the volume of each surface is that of x(t) after the
+/// move.
+/// @param surfaces at x(t)
+/// @param force F_m(t), looked at for the correction along the surfaces only
+/// @throws coupler::CorrectionError
+void correct_velocity(const coupler::Coupler& coupler, const NodeCorrections& corrections,
+                      const Surfaces& surfaces, const NodeVectors& force, NodeVectors& velocity);
 
 /// 3. membrane: positions x(t+1) = x(t) + u_m(t) (Eq. 2.19). @throws LongMove, also for not a number
 NodeVectors move_nodes(const NodeVectors& positions, const NodeVectors& velocity);
@@ -55,12 +65,19 @@ NodeVectors move_nodes(const NodeVectors& positions, const NodeVectors& velocity
 NodeVectors nodal_forces(std::vector<CapsuleMembrane>& membranes, const NodeVectors& positions,
                          const NodeVectors& velocity, std::int64_t step);
 
-/// 5. coupler: stencils at x(t+1), and the grid force F(t+1) spread with them (Eq. 2.1).
-/// @throws coupler::StencilError
+/// 5. coupler: stencils at x(t+1), and the grid force F(t+1) spread with them (Eq. 2.1): build_stencils(),
+/// then spread_force(). @throws coupler::StencilError
 GridVectors spread(coupler::Coupler& coupler, const NodeVectors& positions, const NodeVectors& force);
 
-/// 6. fluid: streams to t+1 and collides under F(t+1). @return the highest speed. @throws fluid::Breakdown
+/// The second part of 5., with the stencils as they are.
+GridVectors spread_force(const coupler::Coupler& coupler, const NodeVectors& force);
+
+/// 6. fluid: streams to t+1 and collides under F(t+1): set_force(), then the fluid's step.
+/// @return the highest speed. @throws fluid::Breakdown
 double advance_fluid(fluid::Fluid& fluid, const GridVectors& force);
+
+/// The first part of 6.: the force of before is replaced.
+void set_force(fluid::Fluid& fluid, const GridVectors& force);
 
 /// The positions of all membranes.
 NodeVectors positions_of(const std::vector<CapsuleMembrane>& membranes);

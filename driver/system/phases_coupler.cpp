@@ -68,22 +68,38 @@ void build_stencils(coupler::Coupler& coupler, const NodeVectors& positions) {
 NodeVectors velocity_of_nodes(const coupler::Coupler& coupler, const NodeCorrections& corrections,
                               const GridVectors& velocity, const Surfaces& surfaces,
                               const NodeVectors& force) {
-  NodeVectors result = zero_like(surfaces.positions);
+  auto result = interpolated_velocity(coupler, velocity, surfaces.positions);
+  correct_velocity(coupler, corrections, surfaces, force, result);
+  return result;
+}
+
+NodeVectors interpolated_velocity(const coupler::Coupler& coupler, const GridVectors& velocity,
+                                  const NodeVectors& positions) {
+  NodeVectors result = zero_like(positions);
   const auto targets = targets_of(result);
   if (std::ranges::equal(velocity.nodes, coupler.grid_nodes())) {
     coupler.interpolate(velocity.values, targets);
   } else {
     coupler.interpolate(picked(velocity, coupler.grid_nodes()), targets);
   }
+  return result;
+}
+
+void correct_velocity(const coupler::Coupler& coupler, const NodeCorrections& corrections,
+                      const Surfaces& surfaces, const NodeVectors& force, NodeVectors& velocity) {
+  const auto targets = targets_of(velocity);
   if (corrections.along_membrane) {
     corrections.along_membrane->add(coupler, views(normals_of(surfaces)), views(force), targets);
   }
   if (corrections.keeps_volume) keep_volume(surfaces, targets);
-  return result;
 }
 
 GridVectors spread(coupler::Coupler& coupler, const NodeVectors& positions, const NodeVectors& force) {
   build_stencils(coupler, positions);
+  return spread_force(coupler, force);
+}
+
+GridVectors spread_force(const coupler::Coupler& coupler, const NodeVectors& force) {
   const auto nodes = coupler.grid_nodes();
   GridVectors result{{nodes.begin(), nodes.end()}, std::vector<double>(3 * nodes.size())};
   coupler.spread(views(force), result.values);

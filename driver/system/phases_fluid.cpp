@@ -9,9 +9,13 @@ GridVectors grid_velocity(const fluid::Fluid& fluid, std::span<const std::int64_
 }
 
 double advance_fluid(fluid::Fluid& fluid, const GridVectors& force) {
+  set_force(fluid, force);
+  return fluid.step();
+}
+
+void set_force(fluid::Fluid& fluid, const GridVectors& force) {
   fluid.clear_force();
   fluid.add_force(force.nodes, force.values);
-  return fluid.step();
 }
 
 }  // namespace tanktread::driver

@@ -10,13 +10,24 @@
 namespace tanktread::driver {
 namespace {
 
-/// Calls a phase and adds the time that it takes to its component's account.
+/// Adds the time between its making and its end to an account.
+class Timer {
+ public:
+  explicit Timer(double& seconds) : seconds_(seconds) {}
+  ~Timer() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  Timer(const Timer&) = delete;
+  Timer& operator=(const Timer&) = delete;
+
+ private:
+  double& seconds_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Calls a phase, or a part of one, and adds the time that it takes to its account.
 template <class Phase>
 auto timed(double& seconds, Phase phase) {
-  const auto start = std::chrono::steady_clock::now();
-  auto packet = phase();
-  seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return packet;
+  const Timer timer(seconds);
+  return phase();
 }
 
 void advance_phases(System& system, Passage& passage) {
@@ -25,33 +36,37 @@ void advance_phases(System& system, Passage& passage) {
   auto& seconds = system.seconds;
 
   // 1. u(t) on the grid nodes that the stencils at x(t) touch.
-  auto velocity = timed(seconds.fluid, [&] { return grid_velocity(fluid, coupler.grid_nodes()); });
+  auto velocity = timed(seconds.forced_nodes, [&] { return grid_velocity(fluid, coupler.grid_nodes()); });
   passage.pass(system, Packet::grid_velocity, velocity);
 
   // 2. u_m(t), with the stencils at x(t) (and F_m(t), for the tangential correction).
   const auto before = surfaces_of(system.membranes);
-  system.node_velocity = timed(seconds.coupler, [&] {
-    return velocity_of_nodes(coupler, system.corrections, velocity, before, system.node_force);
+  system.node_velocity = timed(seconds.interpolation,
+                               [&] { return interpolated_velocity(coupler, velocity, before.positions); });
+  timed(seconds.correction, [&] {
+    correct_velocity(coupler, system.corrections, before, system.node_force, system.node_velocity);
   });
   passage.pass(system, Packet::node_velocity, system.node_velocity);
 
   // 3. x(t+1).
   auto positions =
-      timed(seconds.membrane, [&] { return move_nodes(before.positions, system.node_velocity); });
+      timed(seconds.membranes, [&] { return move_nodes(before.positions, system.node_velocity); });
   passage.pass(system, Packet::positions, positions);
 
   // 4. Strain and stress at x(t+1), F_m(t+1).
-  system.node_force = timed(seconds.membrane, [&] {
+  system.node_force = timed(seconds.membranes, [&] {
     return nodal_forces(system.membranes, positions, system.node_velocity, system.step + 1);
   });
   passage.pass(system, Packet::node_force, system.node_force);
 
   // 5. Stencils at x(t+1), F(t+1).
-  auto force = timed(seconds.coupler, [&] { return spread(coupler, positions, system.node_force); });
+  timed(seconds.stencils, [&] { build_stencils(coupler, positions); });
+  auto force = timed(seconds.spreading, [&] { return spread_force(coupler, system.node_force); });
   passage.pass(system, Packet::grid_force, force);
 
   // 6. The fluid goes to t+1 under F(t+1).
-  system.highest_speed = timed(seconds.fluid, [&] { return advance_fluid(fluid, force); });
+  timed(seconds.forced_nodes, [&] { set_force(fluid, force); });
+  system.highest_speed = timed(seconds.fluid, [&] { return fluid.step(); });
   ++system.step;
   passage.step_done(system);
 }

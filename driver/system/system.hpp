@@ -15,9 +15,13 @@
 
 namespace tanktread::driver {
 
-/// Seconds of wall clock that each component has taken.
-struct ComponentSeconds {
-  double fluid = 0, coupler = 0, membrane = 0;
+/// Seconds of wall clock that the parts of the steps have taken.
+struct StepSeconds {
+  double fluid = 0;         ///< the fluid's own step, with the forces that it collides under
+  double forced_nodes = 0;  ///< velocities taken from the nodes around membranes, forces given to them
+  double stencils = 0, interpolation = 0, spreading = 0;
+  double correction = 0;  ///< of the interpolated velocity: along the membrane, and for the volume
+  double membranes = 0;   ///< moving the nodes, strain, stress, nodal forces
 };
 
 /// A case at work. Between two steps it stands at time t = `step`: positions x(t), populations after the
@@ -34,7 +38,7 @@ struct System {
   NodeVectors node_velocity;  ///< u_m(t-1), which moved the nodes to x(t)
   NodeVectors node_force;     ///< the total force at x(t)
   double highest_speed = 0;   ///< of the fluid, in the last step
-  ComponentSeconds seconds;
+  StepSeconds seconds;
 
   double shear_time() const { return static_cast<double>(step) * shear_rate; }
 };

@@ -85,19 +85,28 @@ def capillary_number_by_shear_modulus(membrane):
     return membrane["capillary_number"] * (2.0 if modulus == "E_s" else 1.0)
 
 
+# The accounts of time in a run's log, by component.
+COMPONENTS = {
+    "fluid_percent": ("fluid", "forced nodes"),
+    "coupler_percent": ("stencils", "interpolation", "spreading", "correction"),
+    "membrane_percent": ("membranes",),
+}
+
+
 def read_cost(log):
-    """Speed and split of the cost from the log of a run: {} where the log has no closing lines (yet)."""
+    """Speed, and how the components share the time of the steps, from the log of a run: {} where the log has no closing lines (yet)."""
     if log is None or not pathlib.Path(log).is_file():
         return {}
     text = pathlib.Path(log).read_text(errors="replace")
     cost = {}
     closing = re.findall(r"ended at step \d+ with ([\d.]+) MLUPS", text)
-    split = re.findall(r"cost: fluid ([\d.]+) %, coupler ([\d.]+) %, membrane ([\d.]+) %", text)
+    table = text[text.rfind("\ntime of ") :] if "\ntime of " in text else ""
+    seconds = {name: float(number) for name, number in re.findall(r"^  ([a-z ]+?) +([\d.]+) +[\d.]+$", table, re.MULTILINE)}
     if closing:
         cost["mlups"] = float(closing[-1])
-    if split:
-        for name, share in zip(("fluid_percent", "coupler_percent", "membrane_percent"), split[-1]):
-            cost[name] = float(share)
+    shares = {component: sum(seconds.get(name, 0.0) for name in names) for component, names in COMPONENTS.items()}
+    if sum(shares.values()) > 0:
+        cost |= {component: round(100.0 * share / sum(shares.values()), 1) for component, share in shares.items()}
     return cost
 
 

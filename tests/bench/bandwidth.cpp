@@ -16,6 +16,8 @@
 #include <new>
 #include <string>
 
+#include "driver/run/memory_speed.hpp"
+
 namespace tanktread::bench {
 namespace {
 
@@ -73,11 +75,6 @@ void copy_past_caches(double* target, const double* source, std::int64_t n) {
 }
 #endif
 
-void update_in_place(double* array, std::int64_t n, double factor) {
-#pragma omp parallel for simd schedule(static)
-  for (std::int64_t k = 0; k < n; ++k) array[k] *= factor;
-}
-
 /// Bytes per second of the fastest pass.
 double best_of_passes(std::int64_t n, const std::function<void()>& pass) {
   double shortest = 1e300;
@@ -98,7 +95,8 @@ Bandwidth measure() {
 #if defined(__SSE2__)
   bandwidth.non_temporal_copy = best_of_passes(n, [&] { copy_past_caches(target.get(), source.get(), n); });
 #endif
-  bandwidth.in_place = best_of_passes(n, [&] { update_in_place(target.get(), n, 1.0000001); });
+  constexpr double no_limit = 1e9;
+  bandwidth.in_place = driver::update_in_place_speed(n, n_passes, no_limit);
   benchmark::DoNotOptimize(target[n / 2]);
   return bandwidth;
 }

@@ -64,7 +64,8 @@ class CostOfAccuracy(InFolder):
         echo = echo.replace("reynolds_number = 0.1", f"wall_speed = {speed}\nrelaxation_time = {relaxation_time}\nstart = '{start}'")
         (folder / "echo.toml").write_text(echo)
         (folder / "parameters.toml").write_text(f"commit = 'abc'\n[flow]\nsteps_per_shear_time = {width / (2 * speed)!r}\n")
-        (self.folder / "out" / f"{name}.log").write_text("cost: fluid 80.0 %, coupler 15.0 %, membrane 5.0 %\nended at step 9 with 40.0 MLUPS; results\n")
+        table = "\ntime of seconds %\n  fluid 80.000 80.0\n  spreading 15.000 15.0\n  membranes 5.000 5.0\n"
+        (self.folder / "out" / f"{name}.log").write_text(table + "ended at step 9 with 40.0 MLUPS; results\n")
 
     def new_runs(self, capsules=tuple(EXACT), widths=(40, 60, 80)):
         for capsule in capsules:

@@ -7,7 +7,16 @@ from post_fixture import InFolder, write_observables, write_run
 from tanktread_post import measured, reference, run_folder
 
 LOG = """time   3.000 of 3.000  D 0.0400  inclination  44.00 deg  50.0 MLUPS  0 s left
-cost: fluid 91.5 %, coupler 7.0 %, membrane 1.5 % of 1 min 00 s
+time of              seconds        %
+  fluid               80.000     76.2
+  forced nodes        11.500     11.0
+  stencils             3.000      2.9
+  interpolation        2.000      1.9
+  spreading            1.500      1.4
+  correction           0.500      0.5
+  membranes            1.500      1.4
+  files                4.000      3.8
+  else                 1.000      1.0
 ended at step 14400 with 48.5 MLUPS; results are in out
 """
 

@@ -1,0 +1,122 @@
+#include "driver/program/waiting_threads.hpp"
+
+#include <omp.h>
+#include <sys/prctl.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <system_error>
+#include <vector>
+
+/// Of libomp only.
+extern "C" [[gnu::weak]] void kmp_set_blocktime(int milliseconds);
+
+namespace tanktread::driver {
+namespace {
+
+constexpr auto interval = std::chrono::milliseconds(100);
+
+/// Of all threads of the program, in seconds.
+struct ThreadTimes {
+  double run = 0, waited = 0;
+};
+
+/// nullopt if the system does not tell.
+std::optional<ThreadTimes> thread_times() {
+  ThreadTimes sum;
+  std::error_code error;
+  std::filesystem::directory_iterator threads("/proc/self/task", error);
+  for (; !error && threads != std::filesystem::directory_iterator(); threads.increment(error)) {
+    // By C's own functions: this is done ten times a second for every thread, beside them.
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
+        std::fopen((threads->path() / "schedstat").c_str(), "r"), std::fclose);
+    double run = 0, waited = 0;                                                     // nanoseconds
+    if (!file || std::fscanf(file.get(), "%lf %lf", &run, &waited) != 2) continue;  // it has just ended
+    sum.run += 1e-9 * run;
+    sum.waited += 1e-9 * waited;
+  }
+  return error || sum.run == 0 ? std::nullopt : std::optional(sum);
+}
+
+/// For lists of threads (top -H). Those that it makes have its name too.
+void name_this_thread(const char* name) {
+  prctl(PR_SET_NAME, name);
+}
+
+/// So many can be had: libgomp would end the program if not. @throws std::system_error
+void try_threads(int n) {
+  std::vector<std::jthread> threads;
+  for (int k = 0; k < n; ++k) threads.emplace_back([] {});
+}
+
+/// As many threads of OpenMP as there are cores, asleep while it lives. With the two or more that wait for
+/// each other those are more than there are cores, however the first is counted, which is the program's own.
+class SleepingTeam {
+ public:
+  /// @throws std::system_error if there are no threads to be had
+  SleepingTeam() {
+    try_threads(omp_get_num_procs());
+    first_ = std::jthread([this](const std::stop_token& stop) {
+      name_this_thread("sleeping");
+#pragma omp parallel num_threads(omp_get_num_procs())
+      asm volatile("");  // or a compiler may leave the team out
+      std::unique_lock lock(mutex_);
+      woken_.wait(lock, stop, [] { return false; });
+    });  // libgomp takes the others away as it ends
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable_any woken_;
+  std::jthread first_;  ///< the last member: it uses the others
+};
+
+/// Until it is to stop, or there is no thread to be had.
+void watch(const std::stop_token& stop) try {
+  name_this_thread("watching cores");
+  SharedCores cores;
+  std::optional<SleepingTeam> team;
+  std::mutex mutex;
+  std::condition_variable_any woken;
+  std::unique_lock lock(mutex);
+  while (!woken.wait_for(lock, stop, interval, [&] { return stop.stop_requested(); })) {
+    const auto times = thread_times();
+    if (!times) return;
+    const bool shared = cores.observe(times->run, times->waited);
+    if (!shared) team.reset();
+    if (shared && !team) team.emplace();
+  }
+} catch (const std::system_error&) {
+}
+
+}  // namespace
+
+bool SharedCores::observe(double run, double waited) {
+  constexpr double share_that_tells = 0.05, least_seconds = 0.02;
+  constexpr int n_until_free = 10;
+  const double ran = run - run_, delay = waited - waited_;
+  run_ = run;
+  waited_ = waited;
+  if (ran < 0 || delay < 0 || ran + delay < least_seconds) return shared_;
+  const bool now = delay > share_that_tells * (ran + delay);
+  n_free_ = now ? 0 : n_free_ + 1;
+  shared_ = now || (shared_ && n_free_ < n_until_free);
+  return shared_;
+}
+
+WaitingThreads::WaitingThreads() {
+  if (std::getenv("OMP_WAIT_POLICY") || std::getenv("GOMP_SPINCOUNT") || kmp_set_blocktime) return;
+  try {
+    watch_ = std::jthread(watch);
+  } catch (const std::system_error&) {
+    // No thread to be had: they wait as libgomp has it.
+  }
+}
+
+}  // namespace tanktread::driver

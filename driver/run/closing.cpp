@@ -1,0 +1,66 @@
+#include "driver/run/closing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "driver/program/signals.hpp"
+#include "driver/run/memory_speed.hpp"
+#include "fluid/lattice_boltzmann.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+/// The speed of memory over an array as large as the lattice, or large enough for any cache.
+double memory_speed(const System& system, int threads) {
+  constexpr std::int64_t numbers_a_node = 19, most_numbers = std::int64_t{1} << 25;
+  constexpr int most_passes = 12;
+  constexpr double most_seconds = 0.3;
+  const auto n = std::min(numbers_a_node * system.fluid->shape().size(), most_numbers);
+  return update_in_place_speed(n, most_passes, most_seconds, threads);
+}
+
+}  // namespace
+
+std::string time_table(const StepSeconds& steps, double files, double whole) {
+  std::pair<const char*, double> rows[] = {{"fluid", steps.fluid},
+                                           {"forced nodes", steps.forced_nodes},
+                                           {"stencils", steps.stencils},
+                                           {"interpolation", steps.interpolation},
+                                           {"spreading", steps.spreading},
+                                           {"correction", steps.correction},
+                                           {"membranes", steps.membranes},
+                                           {"files", files},
+                                           {"else", whole}};
+  auto& rest = std::end(rows)[-1].second;
+  for (const auto& [name, seconds] : rows) {
+    if (&seconds != &rest) rest -= seconds;
+  }
+  std::string text = fmt::format("{:<16}{:>12}{:>9}\n", "time of", "seconds", "%");
+  for (const auto& [name, seconds] : rows)
+    text += fmt::format("  {:<14}{:>12.3f}{:>9.1f}\n", name, seconds, 100 * seconds / whole);
+  return text;
+}
+
+std::string bound_line(double bytes_a_second, double of_memory) {
+  if (of_memory <= 0) return "";
+  return fmt::format(
+      "the fluid moves {:.1f} GB/s at the least, {:.0f} % of the {:.1f} GB/s at which memory is updated in "
+      "place here\n",
+      1e-9 * bytes_a_second, 100 * bytes_a_second / of_memory, 1e-9 * of_memory);
+}
+
+void print_closing(const System& system, const Case& the_case, const Progress& progress, double files,
+                   const std::filesystem::path& directory) {
+  constexpr double shortest_run = 3;  // seconds; the measurement is to be a small part of it
+  const double whole = progress.seconds(), mlups = progress.mlups(system.step);
+  if (system.seconds.fluid > 0) fmt::print("{}", time_table(system.seconds, files, whole));
+  if (whole > shortest_run && SignalGuard::caught() == 0 && the_case.flow.command.empty()) {
+    const double bytes = 1e6 * mlups * whole * fluid::lattice_boltzmann_bytes_per_node;
+    fmt::print("{}", bound_line(bytes / system.seconds.fluid, memory_speed(system, the_case.run.threads)));
+  }
+  fmt::print("ended at step {} with {:.1f} MLUPS; results are in {}\n", system.step, mlups,
+             directory.string());
+}
+
+}  // namespace tanktread::driver

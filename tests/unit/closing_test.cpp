@@ -1,0 +1,56 @@
+// What a run says at its end of its time and of what bounds it.
+#include "driver/run/closing.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "driver/run/memory_speed.hpp"
+
+namespace {
+
+using namespace tanktread::driver;
+using ::testing::HasSubstr;
+
+TEST(Closing, EachAccountHasItsRowAndTheRestToo) {
+  StepSeconds seconds;
+  seconds.fluid = 50;
+  seconds.forced_nodes = 10;
+  seconds.stencils = 8;
+  seconds.interpolation = 6;
+  seconds.spreading = 4;
+  seconds.correction = 2;
+  seconds.membranes = 12.3456;
+  EXPECT_EQ(time_table(seconds, 5, 100),
+            "time of              seconds        %\n"
+            "  fluid               50.000     50.0\n"
+            "  forced nodes        10.000     10.0\n"
+            "  stencils             8.000      8.0\n"
+            "  interpolation        6.000      6.0\n"
+            "  spreading            4.000      4.0\n"
+            "  correction           2.000      2.0\n"
+            "  membranes           12.346     12.3\n"
+            "  files                5.000      5.0\n"
+            "  else                 2.654      2.7\n");
+}
+
+TEST(Closing, TheFluidIsHeldAgainstMemory) {
+  EXPECT_THAT(bound_line(30e9, 40e9), HasSubstr("30.0 GB/s at the least, 75 % of the 40.0 GB/s"));
+  EXPECT_EQ(bound_line(30e9, 0), "");  // memory could not be measured
+}
+
+TEST(Closing, TheSpeedOfMemoryIsWithinWhatMachinesHave) {
+  // From a tenth of one channel of old memory to a hundred times what today's processors have in their
+  // caches: bytes taken for numbers, or the whole for a pass, would lie within a factor of 12, a unit far
+  // outside.
+  const double speed = update_in_place_speed(1 << 20, 12, 10);
+  EXPECT_GT(speed, 1e8);
+  EXPECT_LT(speed, 1e15);
+}
+
+TEST(Closing, NoMemoryIsNoSpeed) {
+  EXPECT_EQ(update_in_place_speed(std::numeric_limits<std::int64_t>::max() / 16, 1, 1), 0);
+}
+
+}  // namespace

@@ -1,0 +1,55 @@
+// When a program takes its cores for shared with others.
+#include "driver/program/waiting_threads.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using tanktread::driver::SharedCores;
+
+/// Two threads observed ten times a second.
+class Observed : public ::testing::Test {
+ protected:
+  /// Goes on by a tenth of a second in which both threads ran or waited for a core.
+  bool goes_on(double share_waited) {
+    run_ += 0.2 * (1 - share_waited);
+    waited_ += 0.2 * share_waited;
+    return cores_.observe(run_, waited_);
+  }
+
+  SharedCores cores_;
+  double run_ = 0, waited_ = 0;
+};
+
+TEST_F(Observed, ThreadsThatRunHaveTheirCores) {
+  for (int k = 0; k < 100; ++k) EXPECT_FALSE(goes_on(0.04)) << k;
+}
+
+TEST_F(Observed, ThreadsThatWaitShareThem) {
+  EXPECT_FALSE(goes_on(0));
+  EXPECT_TRUE(goes_on(0.06));
+}
+
+TEST_F(Observed, TheyAreFreeAfterTenQuietTimesInARow) {
+  EXPECT_TRUE(goes_on(0.5));
+  for (int k = 1; k < 10; ++k) EXPECT_TRUE(goes_on(0)) << k;
+  EXPECT_TRUE(goes_on(0.5));
+  for (int k = 1; k < 10; ++k) EXPECT_TRUE(goes_on(0)) << k;
+  EXPECT_FALSE(goes_on(0));
+}
+
+TEST_F(Observed, TimesWithoutWorkSayNothing) {
+  EXPECT_TRUE(goes_on(0.5));
+  for (int k = 0; k < 20; ++k) EXPECT_TRUE(cores_.observe(run_, waited_));  // it waits for a file
+  for (int k = 1; k < 10; ++k) EXPECT_TRUE(goes_on(0)) << k;
+  EXPECT_FALSE(goes_on(0));
+  EXPECT_FALSE(cores_.observe(run_ + 0.001, waited_ + 0.01));  // a thread that wakes for a moment
+}
+
+TEST_F(Observed, ThreadsThatEndTakeTheirTimesWithThem) {
+  EXPECT_FALSE(goes_on(0));
+  EXPECT_FALSE(cores_.observe(0.5 * run_, 0));
+  EXPECT_FALSE(cores_.observe(run_, 0));
+}
+
+}  // namespace
