@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 
 #include "coupler/coupler.hpp"
 
@@ -19,6 +21,26 @@ inline constexpr double farthest_coordinate = 1073741824.0;  // 2^30
 /// Number of grid nodes that a kernel touches along an axis.
 inline int width_of(const Kernel& kernel) {
   return static_cast<int>(std::ceil(2.0 * kernel.half_width));
+}
+
+/// Calls function.operator()<width>(), for a width known at run time only.
+template <class Function>
+void for_width(int width, const Function& function) {
+  switch (width) {
+    case 2:
+      return function.template operator()<2>();
+    case 3:
+      return function.template operator()<3>();
+    case 4:
+      return function.template operator()<4>();
+    case 5:
+      return function.template operator()<5>();
+    case 6:
+      return function.template operator()<6>();
+    default:
+      throw std::logic_error("coupler: no stencil loop of width " + std::to_string(width));
+  }
+  static_assert(max_width == 6);
 }
 
 /// What became of a coordinate.

@@ -91,6 +91,7 @@ class Coupler {
   void spread(std::span<const std::span<const double>> node_force, std::span<double> grid_force) const;
 
  private:
+  friend class TangentialCorrection;  // which goes through the same stencils, with less on the way
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };

@@ -1,8 +1,6 @@
 #include "coupler/grid_marks.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <stdexcept>
 
 namespace tanktread::coupler {
 
@@ -10,36 +8,40 @@ GridMarks::GridMarks(const Grid& grid)
     : nodes_per_row_(grid.nodes[0]),
       words_per_row_((grid.nodes[0] + 63) / 64),
       row_marked_(std::size_t{1} * grid.nodes[1] * grid.nodes[2], 0),
-      bits_(row_marked_.size() * words_per_row_, 0),
-      first_number_(bits_.size(), 0) {}
+      words_(row_marked_.size() * words_per_row_) {}
 
-void GridMarks::clear() {
-  for (std::size_t row = 0; row < row_marked_.size(); ++row) {
+void GridMarks::clear(Rows rows) {
+  for (std::int64_t row = rows.begin; row < rows.end; ++row) {
     if (!row_marked_[row]) continue;
-    std::fill_n(bits_.begin() + row * words_per_row_, words_per_row_, 0);
+    std::fill_n(words_.begin() + row * words_per_row_, words_per_row_, Word{});
     row_marked_[row] = 0;
   }
 }
 
-void GridMarks::number(std::vector<std::int64_t>& nodes) {
+std::int64_t GridMarks::count(Rows rows) const {
   std::int64_t count = 0;
-  for (std::size_t row = 0; row < row_marked_.size(); ++row) {
+  for (std::int64_t row = rows.begin; row < rows.end; ++row) {
     if (!row_marked_[row]) continue;
-    for (std::size_t word = row * words_per_row_; word < (row + 1) * words_per_row_; ++word) {
-      first_number_[word] = static_cast<std::int32_t>(count);
-      count += std::popcount(bits_[word]);
-    }
-    if (count > std::numeric_limits<std::int32_t>::max())
-      throw std::length_error("coupler: the stencils touch more than 2^31 - 1 grid nodes");
+    for (std::int64_t word = 0; word < words_per_row_; ++word)
+      count += std::popcount(words_[row * words_per_row_ + word].bits);
   }
-  nodes.resize(count);
-  auto node = nodes.begin();
-  for (std::size_t row = 0; row < row_marked_.size(); ++row) {
+  return count;
+}
+
+void GridMarks::number(Rows rows, std::int64_t before, std::int64_t* nodes) {
+  for (std::int64_t row = rows.begin; row < rows.end; ++row) {
     if (!row_marked_[row]) continue;
-    for (std::int64_t word = 0; word < words_per_row_; ++word) {
-      const std::int64_t first = row * nodes_per_row_ + 64 * word;
-      for (std::uint64_t left = bits_[row * words_per_row_ + word]; left != 0; left &= left - 1)
-        *node++ = first + std::countr_zero(left);
+    for (std::int64_t k = 0; k < words_per_row_; ++k) {
+      Word& word = words_[row * words_per_row_ + k];
+      word.before = static_cast<std::int32_t>(before);
+      before += std::popcount(word.bits);
+      const std::int64_t first = row * nodes_per_row_ + 64 * k;
+      // Run after run of neighbours: a loop over single bits would wait for each.
+      for (std::uint64_t left = word.bits; left != 0;) {
+        const int begin = std::countr_zero(left), length = std::countr_one(left >> begin);
+        for (int x = begin; x < begin + length; ++x) *nodes++ = first + x;
+        left = begin + length == 64 ? 0 : left & (~std::uint64_t{0} << (begin + length));
+      }
     }
   }
 }

@@ -10,8 +10,8 @@
 namespace tanktread::coupler {
 
 /// A set of grid nodes, one bit a node, that numbers its members in ascending order of their linear index.
-/// The cost of a turn (clear, mark, number) is that of the rows marked and a look at one byte a row of the
-/// grid.
+/// The cost of a turn (clear, mark, count, number) is that of the rows marked and a look at one byte a row of
+/// the grid. Threads may work on ranges of rows at once, as long as no row is in two of them.
 ///
 /// A row is all x of one (y, z); its number is z ny + y. Because members are numbered in ascending order, a
 /// run of neighbours in one row has consecutive numbers.
@@ -19,8 +19,13 @@ class GridMarks {
  public:
   explicit GridMarks(const Grid& grid);
 
-  /// Empties the set.
-  void clear();
+  /// Rows `begin` to `end` - 1.
+  struct Rows {
+    std::int64_t begin, end;
+  };
+
+  /// Takes the members in these rows out of the set.
+  void clear(Rows rows);
 
   /// The nodes x .. x + count - 1 of any row, made ready for marking; count is 1 to 64.
   struct Run {
@@ -32,18 +37,21 @@ class GridMarks {
     std::uint64_t low, high;  ///< bits of that word and of the next
   };
 
-  /// Adds a run of a row; it must not leave the row. Safe to call from several threads as long as no row is
-  /// marked by two.
+  /// Adds a run of a row; it must not leave the row.
   void mark(std::int64_t row, const Run& run) {
     row_marked_[row] = 1;
-    std::uint64_t* bits = &bits_[row * words_per_row_ + run.word];
-    bits[0] |= run.low;
-    if (run.high != 0) bits[1] |= run.high;
+    Word* words = &words_[row * words_per_row_ + run.word];
+    words[0].bits |= run.low;
+    if (run.high != 0) words[1].bits |= run.high;
   }
 
-  /// Lists the linear indices of all members, ascending, and numbers them in this order.
-  /// @throws std::length_error if there are more than 2^31 - 1
-  void number(std::vector<std::int64_t>& nodes);
+  /// The number of members in these rows.
+  std::int64_t count(Rows rows) const;
+
+  /// Numbers the members in these rows in ascending order, and lists their linear indices.
+  /// @param before members in all rows before; all numbers must be below 2^31
+  /// @param nodes where the first of them is listed
+  void number(Rows rows, std::int64_t before, std::int64_t* nodes);
 
   /// The node x of any row, made ready for number_of.
   struct Place {
@@ -52,18 +60,22 @@ class GridMarks {
     std::uint64_t below;  ///< bits of that word for the nodes before x
   };
 
-  /// The number of a member. Valid between number() and the next change of the set.
+  /// The number of a member. Valid between number() and the next change of its row.
   std::int32_t number_of(std::int64_t row, const Place& place) const {
-    const std::int64_t word = row * words_per_row_ + place.word;
-    return first_number_[word] + std::popcount(bits_[word] & place.below);
+    const Word& word = words_[row * words_per_row_ + place.word];
+    return word.before + std::popcount(word.bits & place.below);
   }
 
  private:
+  /// 64 nodes of a row: which are members, and how many there are before them (of marked rows only).
+  struct Word {
+    std::uint64_t bits = 0;
+    std::int32_t before = 0;
+  };
+
   std::int64_t nodes_per_row_, words_per_row_;
   std::vector<std::uint8_t> row_marked_;
-  std::vector<std::uint64_t> bits_;  // words_per_row_ words a row
-  std::vector<std::int32_t>
-      first_number_;  // a word: members before it; set for the words of marked rows only
+  std::vector<Word> words_;  // words_per_row_ a row
 };
 
 }  // namespace tanktread::coupler

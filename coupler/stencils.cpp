@@ -1,7 +1,9 @@
 #include "coupler/stencils.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
+#include <utility>
 
 namespace tanktread::coupler {
 namespace {
@@ -14,29 +16,50 @@ int index_of(int first, int k, int nodes) {
   return index < nodes ? index : index - nodes;
 }
 
+/// Rows within a plane: those of a stencil, in the order of its y.
+template <int width>
+std::array<int, width> rows_in_plane(int first, int ny) {
+  std::array<int, width> rows;
+  for (int ky = 0; ky < width; ++ky) rows[ky] = index_of(first, ky, ny);
+  return rows;
+}
+
+/// Calls visit(share) once for each share of the grid that has planes of a stencil.
+template <class Visit>
+void visit_shares(const std::vector<int>& share_of_plane, int first_plane, int width, const Visit& visit) {
+  const int n_planes = static_cast<int>(share_of_plane.size()), start = share_of_plane[first_plane];
+  visit(start);
+  // Shares follow one another; behind the periodic face comes the first again, at last perhaps that of the
+  // start.
+  for (int k = 1, last = start; k < width; ++k) {
+    const int share = share_of_plane[index_of(first_plane, k, n_planes)];
+    if (share != last && share != start) visit(share);
+    last = share;
+  }
+}
+
 }  // namespace
 
-StencilBuilder::StencilBuilder(const Grid& grid, const Kernel& kernel, int shares)
+StencilBuilder::StencilBuilder(const Grid& grid, const Kernel& kernel, int n_shares)
     : grid_(grid),
       kernel_(kernel),
       width_(width_of(kernel)),
-      shares_(shares),
+      n_shares_(n_shares),
       axes_{AxisStencil(grid.nodes[0], grid.periodic[0], kernel_),
             AxisStencil(grid.nodes[1], grid.periodic[1], kernel_),
             AxisStencil(grid.nodes[2], grid.periodic[2], kernel_)},
       marks_(grid),
-      share_of_plane_(grid.nodes[2]) {
-  // Neighbouring planes go to different shares: every stencil then has work for up to `width` of them.
-  for (int z = 0; z < grid.nodes[2]; ++z) share_of_plane_[z] = z % shares;
+      share_of_plane_(grid.nodes[2]),
+      counts_(n_shares, Counts{std::vector<std::size_t>(grid.nodes[2]), std::vector<std::size_t>(n_shares)}) {
 }
 
 void StencilBuilder::build(std::span<const std::span<const double>> surfaces, Stencils& stencils) {
   resize(surfaces, stencils);
   weigh(surfaces, stencils);
-  place_across(stencils);
+  cut_grid(stencils);
+  list_share_nodes(stencils);
   mark(stencils);
-  marks_.number(stencils.grid_nodes);
-  find_runs(stencils);
+  number(stencils);
 }
 
 void StencilBuilder::resize(std::span<const std::span<const double>> surfaces, Stencils& stencils) const {
@@ -58,77 +81,170 @@ void StencilBuilder::resize(std::span<const std::span<const double>> surfaces, S
 }
 
 // Weights and lowest grid indices; refuses the first node (by its number) that has no stencil.
-void StencilBuilder::weigh(std::span<const std::span<const double>> surfaces, Stencils& stencils) const {
-  for (std::size_t s = 0; s < surfaces.size(); ++s) {
-    const double* positions = surfaces[s].data();
-    const std::size_t n = surfaces[s].size() / 3, before = stencils.first_node[s];
-    std::size_t first_refused = n;
-#pragma omp parallel for num_threads(shares_) schedule(static) reduction(min : first_refused)
-    for (std::size_t node = 0; node < n; ++node) {
-      const std::size_t m = before + node;
-      for (int axis = 0; axis < 3; ++axis) {
-        const Fit fit = axes_[axis].fit(positions[3 * node + axis], stencils.first[m][axis],
-                                        &stencils.weights[(3 * m + axis) * width_]);
-        if (fit != Fit::inside) first_refused = std::min(first_refused, node);
-      }
-    }
-    if (first_refused < n) refuse(s, first_refused, &positions[3 * first_refused]);
-  }
-}
-
-// Gives each stencil across the periodic face of x its place.
-void StencilBuilder::place_across(Stencils& stencils) const {
-  std::int32_t places = 0;
-  for (std::size_t m = 0; m < stencils.n_nodes(); ++m)
-    stencils.across[m] = stencils.first[m][0] + width_ > grid_.nodes[0] ? places++ : -1;
-  stencils.across_run.resize(std::size_t{1} * places * width_ * width_);
-}
-
-template <class Visit>
-void StencilBuilder::visit_rows(const std::array<int, 3>& first, int z, const Visit& visit) const {
-  const int width = width_, ny = grid_.nodes[1], y = first[1];
-  const std::int64_t plane = std::int64_t{z} * ny;
-  for (int ky = 0; ky < width; ++ky) visit(plane + index_of(y, ky, ny));
-}
-
-void StencilBuilder::mark(const Stencils& stencils) {
-  marks_.clear();
-#pragma omp parallel for num_threads(shares_) schedule(static, 1)
-  for (int share = 0; share < shares_; ++share) {
-    const int width = width_, nx = grid_.nodes[0], nz = grid_.nodes[2];
-    for (const auto& first : stencils.first) {
-      const int before_face = std::min(width, nx - first[0]);
-      const GridMarks::Run run(first[0], before_face);
-      for (int kz = 0; kz < width; ++kz) {
-        const int z = index_of(first[2], kz, nz);
-        if (share_of_plane_[z] != share) continue;
-        visit_rows(first, z, [&](std::int64_t row) { marks_.mark(row, run); });
-        if (before_face == width) continue;
-        const GridMarks::Run across(0, width - before_face);
-        visit_rows(first, z, [&](std::int64_t row) { marks_.mark(row, across); });
-      }
-    }
-  }
-}
-
-void StencilBuilder::find_runs(Stencils& stencils) const {
+void StencilBuilder::weigh(std::span<const std::span<const double>> surfaces, Stencils& stencils) {
   const std::size_t n = stencils.n_nodes();
-#pragma omp parallel for num_threads(shares_) schedule(static)
-  for (std::size_t m = 0; m < n; ++m) {
-    const auto& first = stencils.first[m];
-    list_numbers(first, first[0], &stencils.run[m * width_ * width_]);
-    const std::int32_t across = stencils.across[m];
-    if (across >= 0) list_numbers(first, 0, &stencils.across_run[std::size_t{1} * across * width_ * width_]);
+#pragma omp parallel for num_threads(n_shares_) schedule(static, 1)
+  for (int share = 0; share < n_shares_; ++share) {
+    Counts& counts = counts_[share];
+    std::ranges::fill(counts.of_first_plane, 0);
+    counts.across = 0;
+    counts.first_refused = n;
+    const NodeRange range(n, share, n_shares_);
+    SurfaceOfNode surface(stencils.first_node);
+    for (std::size_t m = range.begin; m < range.end; ++m) {
+      const double* position = &surfaces[surface.of(m)][3 * surface.node(m)];
+      auto& first = stencils.first[m];
+      bool inside = true;
+      for (int axis = 0; axis < 3; ++axis) {
+        inside &= axes_[axis].fit(position[axis], first[axis], &stencils.weights[(3 * m + axis) * width_]) ==
+                  Fit::inside;
+      }
+      if (!inside) {
+        counts.first_refused = m;
+        break;
+      }
+      ++counts.of_first_plane[first[2]];
+      counts.across += first[0] + width_ > grid_.nodes[0];
+    }
+  }
+  for (const Counts& counts : counts_) {
+    if (counts.first_refused == n) continue;
+    SurfaceOfNode surface(stencils.first_node);
+    const std::size_t s = surface.of(counts.first_refused), node = surface.node(counts.first_refused);
+    refuse(s, node, &surfaces[s][3 * node]);
   }
 }
 
-// The number of the grid node x in each row of a stencil.
-void StencilBuilder::list_numbers(const std::array<int, 3>& first, int x, std::int32_t* numbers) const {
-  const int width = width_, nz = grid_.nodes[2];
-  const GridMarks::Place place(x);
-  for (int kz = 0; kz < width; ++kz) {
-    visit_rows(first, index_of(first[2], kz, nz),
-               [&](std::int64_t row) { *numbers++ = marks_.number_of(row, place); });
+// Neighbouring planes to one share, about as many planes of stencils to each.
+void StencilBuilder::cut_grid(Stencils& stencils) {
+  const int nz = grid_.nodes[2];
+  std::vector<std::size_t> before(nz + 1, 0);  // planes of stencils in the planes before each
+  for (const Counts& counts : counts_) {
+    for (int z = 0; z < nz; ++z) {
+      for (int k = 0; k < width_; ++k) before[index_of(z, k, nz) + 1] += counts.of_first_plane[z];
+    }
+  }
+  for (int z = 0; z < nz; ++z) before[z + 1] += before[z];
+  stencils.shares.assign(n_shares_, {});
+  for (int share = 0, z = 0; share < n_shares_; ++share) {
+    stencils.shares[share].first_plane = z;
+    // As far as the middle of the plane that goes beyond the aim.
+    const double aim = static_cast<double>(before[nz]) * (share + 1) / n_shares_;
+    for (; z < nz && (share + 1 == n_shares_ || 0.5 * static_cast<double>(before[z] + before[z + 1]) < aim);
+         ++z)
+      share_of_plane_[z] = share;
+    stencils.shares[share].last_plane = z;
+  }
+}
+
+// In ascending order: every grid node shall receive its parts in the order of the membrane nodes.
+void StencilBuilder::list_share_nodes(Stencils& stencils) {
+  const std::size_t n = stencils.n_nodes();
+#pragma omp parallel for num_threads(n_shares_) schedule(static, 1)
+  for (int part = 0; part < n_shares_; ++part) {
+    std::vector<std::size_t>& of_share = counts_[part].of_share;
+    std::ranges::fill(of_share, 0);
+    const NodeRange range(n, part, n_shares_);
+    for (std::size_t m = range.begin; m < range.end; ++m)
+      visit_shares(share_of_plane_, stencils.first[m][2], width_, [&](int share) { ++of_share[share]; });
+  }
+  std::size_t listed = 0;
+  for (int share = 0; share < n_shares_; ++share) {
+    stencils.shares[share].first_node = listed;
+    // From now on where the nodes of each part begin in the list.
+    for (Counts& counts : counts_) listed += std::exchange(counts.of_share[share], listed);
+    stencils.shares[share].last_node = listed;
+  }
+  stencils.share_nodes.resize(listed);
+#pragma omp parallel for num_threads(n_shares_) schedule(static, 1)
+  for (int part = 0; part < n_shares_; ++part) {
+    std::vector<std::size_t>& next = counts_[part].of_share;
+    const NodeRange range(n, part, n_shares_);
+    for (std::size_t m = range.begin; m < range.end; ++m) {
+      visit_shares(share_of_plane_, stencils.first[m][2], width_,
+                   [&](int share) { stencils.share_nodes[next[share]++] = m; });
+    }
+  }
+}
+
+GridMarks::Rows StencilBuilder::rows_of(const GridShare& share) const {
+  const std::int64_t ny = grid_.nodes[1];
+  return {share.first_plane * ny, share.last_plane * ny};
+}
+
+// Marks the grid nodes of the stencils, and counts them.
+void StencilBuilder::mark(Stencils& stencils) {
+#pragma omp parallel for num_threads(n_shares_) schedule(static, 1)
+  for (int k = 0; k < n_shares_; ++k) {
+    GridShare& share = stencils.shares[k];
+    marks_.clear(rows_of(share));
+    for_width(width_, [&]<int width>() { mark_share<width>(stencils, share); });
+    share.last_number = marks_.count(rows_of(share));
+  }
+  std::int64_t count = 0;
+  for (GridShare& share : stencils.shares) {
+    share.first_number = count;
+    share.last_number = count += share.last_number;
+  }
+  if (count > std::numeric_limits<std::int32_t>::max())
+    throw std::length_error("coupler: the stencils touch more than 2^31 - 1 grid nodes");
+  stencils.grid_nodes.resize(count);
+}
+
+template <int width>
+void StencilBuilder::mark_share(const Stencils& stencils, const GridShare& share) {
+  const int nx = grid_.nodes[0], ny = grid_.nodes[1], nz = grid_.nodes[2];
+  for (std::size_t k = share.first_node; k < share.last_node; ++k) {
+    const auto& first = stencils.first[stencils.share_nodes[k]];
+    const auto rows = rows_in_plane<width>(first[1], ny);
+    const int before_face = std::min(width, nx - first[0]);
+    const GridMarks::Run run(first[0], before_face);
+    for (int kz = 0; kz < width; ++kz) {
+      const int z = index_of(first[2], kz, nz);
+      if (!share.has_plane(z)) continue;
+      const std::int64_t plane = std::int64_t{z} * ny;
+      for (const int row : rows) marks_.mark(plane + row, run);
+      if (before_face == width) continue;
+      const GridMarks::Run across(0, width - before_face);
+      for (const int row : rows) marks_.mark(plane + row, across);
+    }
+  }
+}
+
+// Numbers the grid nodes, and finds the numbers in the rows of all stencils.
+void StencilBuilder::number(Stencils& stencils) {
+#pragma omp parallel for num_threads(n_shares_) schedule(static, 1)
+  for (int k = 0; k < n_shares_; ++k) {
+    const GridShare& share = stencils.shares[k];
+    marks_.number(rows_of(share), share.first_number, stencils.grid_nodes.data() + share.first_number);
+  }
+  std::int32_t across = 0;
+  for (Counts& counts : counts_) across += std::exchange(counts.across, across);  // those before from now on
+  stencils.across_run.resize(std::size_t{1} * across * width_ * width_);
+#pragma omp parallel for num_threads(n_shares_) schedule(static, 1)
+  for (int part = 0; part < n_shares_; ++part)
+    for_width(width_, [&]<int width>() { find_runs<width>(part, stencils); });
+}
+
+template <int width>
+void StencilBuilder::find_runs(int part, Stencils& stencils) const {
+  const NodeRange range(stencils.n_nodes(), part, n_shares_);
+  const int nx = grid_.nodes[0], ny = grid_.nodes[1], nz = grid_.nodes[2];
+  std::int32_t next_across = counts_[part].across;
+  for (std::size_t m = range.begin; m < range.end; ++m) {
+    const auto& first = stencils.first[m];
+    const auto rows = rows_in_plane<width>(first[1], ny);
+    const auto list_numbers = [&](int x, std::int32_t* numbers) {
+      const GridMarks::Place place(x);
+      for (int kz = 0; kz < width; ++kz) {
+        const std::int64_t plane = std::int64_t{index_of(first[2], kz, nz)} * ny;
+        for (const int row : rows) *numbers++ = marks_.number_of(plane + row, place);
+      }
+    };
+    list_numbers(first[0], &stencils.run[m * width * width]);
+    stencils.across[m] = first[0] + width > nx ? next_across++ : -1;
+    if (stencils.across[m] < 0) continue;
+    list_numbers(0, &stencils.across_run[std::size_t{1} * stencils.across[m] * width * width]);
   }
 }
 

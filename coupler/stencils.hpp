@@ -13,6 +13,16 @@
 
 namespace tanktread::coupler {
 
+/// A share of the work on the grid: the planes z = first_plane .. last_plane - 1, to whose nodes it alone
+/// writes.
+struct GridShare {
+  int first_plane = 0, last_plane = 0;             ///< the last is the first of the next share
+  std::size_t first_node = 0, last_node = 0;       ///< its part of Stencils::share_nodes
+  std::int64_t first_number = 0, last_number = 0;  ///< its part of Stencils::grid_nodes
+
+  bool has_plane(int z) const { return first_plane <= z && z < last_plane; }
+};
+
 /// The stencil of membrane node m (counted through all surfaces) is the product of three stencils of `width`
 /// grid nodes, one an axis. In each of its width x width rows along x it touches a run of neighbours, whose
 /// numbers in grid_nodes are consecutive: one number a row says where they are. A run that goes on across the
@@ -26,16 +36,44 @@ struct Stencils {
   std::vector<std::int32_t> across;           ///< [m] its place in across_run, in stencils; -1: not across x
   std::vector<std::int32_t> across_run;       ///< [place][z][y] number of the grid node at x = 0 of each row
   std::vector<std::int64_t> grid_nodes;       ///< linear indices, ascending
+  std::vector<GridShare> shares;              ///< one after the other, all planes of the grid
+  /// The membrane nodes that touch the planes of the first share, ascending, then those of the second ...
+  std::vector<std::size_t> share_nodes;
 
   std::size_t n_surfaces() const { return first_node.size() - 1; }
   std::size_t n_nodes() const { return first_node.back(); }
 };
 
+/// Membrane nodes `begin` to `end` - 1: a share of the work on them.
+struct NodeRange {
+  NodeRange(std::size_t n_nodes, int share, int n_shares)
+      : begin(n_nodes * share / n_shares), end(n_nodes * (share + 1) / n_shares) {}
+  std::size_t begin, end;
+};
+
+/// Which surface a membrane node is of, and its number there, for nodes asked for in ascending order.
+class SurfaceOfNode {
+ public:
+  /// @param first_node of Stencils
+  explicit SurfaceOfNode(const std::vector<std::size_t>& first_node) : first_node_(first_node) {}
+
+  std::size_t of(std::size_t m) {
+    while (m >= first_node_[surface_ + 1]) ++surface_;
+    return surface_;
+  }
+  /// Of the last node that of() was asked for.
+  std::size_t node(std::size_t m) const { return m - first_node_[surface_]; }
+
+ private:
+  const std::vector<std::size_t>& first_node_;
+  std::size_t surface_ = 0;
+};
+
 /// Builds Stencils for one grid and kernel.
 class StencilBuilder {
  public:
-  /// @param shares the work is cut into this many shares, each done by one thread
-  StencilBuilder(const Grid& grid, const Kernel& kernel, int shares);
+  /// @param n_shares the work is cut into this many shares, each done by one thread
+  StencilBuilder(const Grid& grid, const Kernel& kernel, int n_shares);
 
   const Kernel& kernel() const { return kernel_; }
   StencilBuilder(const StencilBuilder&) = delete;
@@ -45,27 +83,35 @@ class StencilBuilder {
   /// @throws StencilError, std::invalid_argument, std::length_error: as Coupler::build()
   void build(std::span<const std::span<const double>> surfaces, Stencils& stencils);
 
-  /// The share that owns the grid plane z: the only one that writes to it.
-  int share_of_plane(int z) const { return share_of_plane_[z]; }
-
  private:
   void resize(std::span<const std::span<const double>> surfaces, Stencils& stencils) const;
-  void weigh(std::span<const std::span<const double>> surfaces, Stencils& stencils) const;
-  void mark(const Stencils& stencils);
-  void find_runs(Stencils& stencils) const;
-  void list_numbers(const std::array<int, 3>& first, int x, std::int32_t* numbers) const;
-  /// Calls visit(row) for the rows of a stencil in the plane z, in the order of its y.
-  template <class Visit>
-  void visit_rows(const std::array<int, 3>& first, int z, const Visit& visit) const;
-  void place_across(Stencils& stencils) const;
+  void weigh(std::span<const std::span<const double>> surfaces, Stencils& stencils);
+  void cut_grid(Stencils& stencils);
+  void list_share_nodes(Stencils& stencils);
+  void mark(Stencils& stencils);
+  template <int width>
+  void mark_share(const Stencils& stencils, const GridShare& share);
+  void number(Stencils& stencils);
+  template <int width>
+  void find_runs(int part, Stencils& stencils) const;
+  GridMarks::Rows rows_of(const GridShare& share) const;
   [[noreturn]] void refuse(std::size_t surface, std::size_t node, const double* position) const;
+
+  /// What a share of the membrane nodes counts.
+  struct Counts {
+    std::vector<std::size_t> of_first_plane;  ///< nodes whose stencil begins in each plane
+    std::vector<std::size_t> of_share;        ///< nodes that touch each share of the grid
+    std::int32_t across = 0;                  ///< stencils across the periodic face of x
+    std::size_t first_refused = 0;            ///< the first node without a stencil; that after the last: none
+  };
 
   Grid grid_;
   Kernel kernel_;
-  int width_, shares_;
+  int width_, n_shares_;
   std::array<AxisStencil, 3> axes_;
   GridMarks marks_;
   std::vector<int> share_of_plane_;
+  std::vector<Counts> counts_;
 };
 
 }  // namespace tanktread::coupler

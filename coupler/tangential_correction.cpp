@@ -1,11 +1,13 @@
 #include "coupler/tangential_correction.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
-#include "coupler/surface_check.hpp"
+#include "coupler/products.hpp"
+#include "coupler/transfer.hpp"
 
 namespace tanktread::coupler {
 namespace {
@@ -32,26 +34,18 @@ double square_sum(const Kernel& kernel) {
   return mean_of_pairs(kernel, [](int distance) { return distance == 0 ? 1.0 : 0.0; });
 }
 
-double dot(const double* a, const double* b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+using Vector = std::array<double, 3>;
+
+/// `vector` without its part along `normal`.
+Vector tangential(const double* normal, const double* vector) {
+  const double along = dot(normal, vector);
+  Vector result;
+  for (int axis = 0; axis < 3; ++axis) result[axis] = vector[axis] - along * normal[axis];
+  return result;
 }
 
-/// Takes the parts along the normals off `vectors`.
-void keep_tangential(std::span<const double> normals, std::span<double> vectors) {
-  for (std::size_t k = 0; k < vectors.size(); k += 3) {
-    const double along = dot(&normals[k], &vectors[k]);
-    for (int axis = 0; axis < 3; ++axis) vectors[k + axis] -= along * normals[k + axis];
-  }
-}
-
-/// Adds to the normal at node `at` that of its triangle with the next two.
-void add_normal(std::span<const double> positions, int at, int next, int last, std::span<double> normals) {
-  const double *a = &positions[3 * at], *b = &positions[3 * next], *c = &positions[3 * last];
-  const double u[] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v[] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-  const double weight = 1 / (dot(u, u) * dot(v, v));
-  normals[3 * at] += weight * (u[1] * v[2] - u[2] * v[1]);
-  normals[3 * at + 1] += weight * (u[2] * v[0] - u[0] * v[2]);
-  normals[3 * at + 2] += weight * (u[0] * v[1] - u[1] * v[0]);
+bool is_finite(const double* vector) {
+  return std::isfinite(vector[0]) && std::isfinite(vector[1]) && std::isfinite(vector[2]);
 }
 
 /// A node without a triangle has no normal, and one number that is not finite would spoil all around it.
@@ -67,22 +61,6 @@ void require_finite(const std::string& what, std::size_t surface, std::span<cons
 
 double tangential_shortfall(const Kernel& kernel) {
   return mean_of_pairs(kernel, [](int distance) { return 0.5 * distance; });
-}
-
-void node_normals(std::span<const double> positions, std::span<const int> triangles,
-                  std::span<double> normals) {
-  require_surface(positions.size(), triangles, "normals", normals.size());
-  for (double& component : normals) component = 0.0;
-  for (std::size_t t = 0; t < triangles.size(); t += 3) {
-    for (int corner = 0; corner < 3; ++corner) {
-      add_normal(positions, triangles[t + corner], triangles[t + (corner + 1) % 3],
-                 triangles[t + (corner + 2) % 3], normals);
-    }
-  }
-  for (std::size_t k = 0; k < normals.size(); k += 3) {
-    const double length = std::sqrt(dot(&normals[k], &normals[k]));
-    for (int axis = 0; axis < 3; ++axis) normals[k + axis] /= length;
-  }
 }
 
 TangentialCorrection::TangentialCorrection(const Coupler& coupler, double viscosity)
@@ -106,29 +84,36 @@ void TangentialCorrection::add(const Coupler& coupler, std::span<const std::span
                                 std::to_string(normals.size()) + ", " + std::to_string(force.size()) +
                                 " and " + std::to_string(velocity.size()) + " surfaces");
   }
-  std::vector<std::vector<double>> along;  // the surfaces: forces, then velocities
-  std::vector<std::span<const double>> sources;
-  std::vector<std::span<double>> targets;
   for (std::size_t s = 0; s < force.size(); ++s) {
-    if (normals[s].size() != force[s].size() || velocity[s].size() != force[s].size()) {
-      throw std::invalid_argument("coupler: surface " + std::to_string(s) + " has " +
-                                  std::to_string(force[s].size()) + " numbers of force, but " +
-                                  std::to_string(normals[s].size()) + " of normals and " +
-                                  std::to_string(velocity[s].size()) + " of velocity");
+    if (normals[s].size() == force[s].size() && velocity[s].size() == force[s].size()) continue;
+    throw std::invalid_argument("coupler: surface " + std::to_string(s) + " has " +
+                                std::to_string(force[s].size()) + " numbers of force, but " +
+                                std::to_string(normals[s].size()) + " of normals and " +
+                                std::to_string(velocity[s].size()) + " of velocity");
+  }
+  const auto& transfer = *coupler.implementation_;
+  transfer.check_surfaces("correction, force", force);
+  const bool finite = transfer.for_all_nodes([&](std::size_t surface, std::size_t node) {
+    return is_finite(&normals[surface][3 * node]) && is_finite(&force[surface][3 * node]);
+  });
+  if (!finite) {
+    for (std::size_t s = 0; s < force.size(); ++s) {
+      require_finite("normal", s, normals[s]);
+      require_finite("force", s, force[s]);
     }
-    require_finite("normal", s, normals[s]);
-    require_finite("force", s, force[s]);
-    along.emplace_back(force[s].begin(), force[s].end());
-    keep_tangential(normals[s], along.back());
   }
-  for (auto& values : along) sources.emplace_back(values), targets.emplace_back(values);
-  std::vector<double> grid_force(3 * coupler.grid_nodes().size());
-  coupler.spread(sources, grid_force);
-  coupler.interpolate(grid_force, targets);
-  for (std::size_t s = 0; s < force.size(); ++s) {
-    keep_tangential(normals[s], along[s]);
-    for (std::size_t k = 0; k < along[s].size(); ++k) velocity[s][k] += mobility_ * along[s][k];
-  }
+  auto& on_grid = *on_grid_;
+  on_grid.resize(3 * coupler.grid_nodes().size());
+  transfer.spread(
+      [&](std::size_t surface, std::size_t node, double* result) {
+        const Vector along = tangential(&normals[surface][3 * node], &force[surface][3 * node]);
+        std::copy_n(along.data(), 3, result);
+      },
+      on_grid);
+  transfer.interpolate(on_grid, [&](std::size_t surface, std::size_t node, const double* smoothed) {
+    const Vector along = tangential(&normals[surface][3 * node], smoothed);
+    for (int axis = 0; axis < 3; ++axis) velocity[surface][3 * node + axis] += mobility_ * along[axis];
+  });
 }
 
 }  // namespace tanktread::coupler

@@ -2,8 +2,10 @@
 // back.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <stdexcept>
+#include <vector>
 
 #include "coupler/coupler.hpp"
 
@@ -25,17 +27,6 @@ class CorrectionError : public std::runtime_error {
 /// error of first order in the grid step; along the normal the velocity has no kink.
 double tangential_shortfall(const Kernel& kernel);
 
-/// Unit normals of the nodes: the sum over the triangles around of u x v/(|u|^2 |v|^2), u and v their edges
-/// at the node (Max 1999, doi:10.1080/10867651.1999.10487501), exact where the nodes around lie on a sphere.
-/// Weighted by area alone they would lean towards the larger triangles, and nodes that move normal to them
-/// would make a capsule swell (docs/kernels.md).
-/// @param positions, normals 3 numbers a node @param triangles 3 node numbers a triangle
-/// @param normals overwritten; not a number where a node has no triangle, its triangles' normals cancel or
-/// two nodes of a triangle are one
-/// @throws std::invalid_argument if the sizes do not fit, or a triangle names a node that does not exist
-void node_normals(std::span<const double> positions, std::span<const int> triangles,
-                  std::span<double> normals);
-
 /// The shortfall, added to the velocity of the nodes of all surfaces. The force an area is that on the grid,
 /// taken at the nodes and divided by the sum S of phi^2 (its mean over the phases), so that it is as smooth
 /// as the velocity, and no short wave of the nodes moves that the grid does not carry:
@@ -53,7 +44,8 @@ class TangentialCorrection {
 
   /// @param coupler of the same kernel, with its stencils at the positions of the nodes; all arrays as its
   /// own
-  /// @param normals of node_normals()
+  /// Not by two threads at once.
+  /// @param normals of node_normals() or NodeNormals
   /// @param force F_m, that went into the fluid in the step whose velocity it is
   /// @param velocity to which it is added
   /// @throws CorrectionError if a normal or a force is not finite; nothing is added then
@@ -65,6 +57,8 @@ class TangentialCorrection {
  private:
   Kernel kernel_;
   double mobility_;  ///< C/(mu S)
+  /// The force on the grid while add() is at work: memory that is used again.
+  std::unique_ptr<std::vector<double>> on_grid_ = std::make_unique<std::vector<double>>();
 };
 
 }  // namespace tanktread::coupler

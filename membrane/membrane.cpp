@@ -1,161 +1,13 @@
 #include "membrane/membrane.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
-#include <span>
 #include <string>
 
-#include "membrane/corners_of_node.hpp"
-#include "membrane/element.hpp"
-#include "membrane/element_check.hpp"
-#include "membrane/symmetric_tensor.hpp"
-#include "membrane/viscous_history.hpp"
+#include "membrane/implementation.hpp"
+#include "membrane/membrane_step.hpp"
 
 namespace tanktread::membrane {
-namespace {
-
-/// Elements go through the law in blocks of this size, whatever the number of threads.
-constexpr Eigen::Index block_size = 64;
-
-struct ElementBlock {
-  Eigen::Index begin = 0, size = 0;  ///< first element, number of elements
-  std::array<SurfaceGradient, block_size> gradient;
-  std::array<SymmetricTensor, block_size> cauchy_green;
-  std::array<Invariants, block_size> invariants;
-  std::array<ElasticResponse, block_size> response;
-
-  SymmetricTensor elastic_stress(Eigen::Index k) const {
-    return second_piola_kirchhoff(cauchy_green[k], response[k]);
-  }
-};
-
-}  // namespace
-
-struct Membrane::Implementation {
-  Implementation(TriangleMesh mesh, std::shared_ptr<const ElasticLaw> elastic_law,
-                 std::shared_ptr<const ViscousLaw> viscous_law, int threads)
-      : n_threads(threads > 0 ? threads : omp_get_max_threads()),
-        reference(std::move(mesh)),
-        law(std::move(elastic_law)),
-        corners_of_node(reference.triangles, reference.points.cols()),
-        positions(reference.points),
-        corner_force(3, reference.triangles.size()),
-        check(reference.triangles.cols()) {
-    for (Eigen::Index t = 0; t < n_elements(); ++t) {
-      elements.push_back(reference_element(corners(t)));
-      check.normals().col(t) = area_normal(corners(t));
-    }
-    if (viscous_law) viscous.emplace(std::move(viscous_law), n_elements());
-  }
-
-  Eigen::Index n_elements() const { return reference.triangles.cols(); }
-  Eigen::Index n_blocks() const { return (n_elements() + block_size - 1) / block_size; }
-
-  Eigen::Matrix3d corners(Eigen::Index t) const { return corners_of(positions, reference.triangles.col(t)); }
-
-  /// Strain of the elements of block `number`, and what the law answers to it.
-  ElementBlock evaluated(Eigen::Index number) const {
-    ElementBlock block;
-    block.begin = number * block_size;
-    block.size = std::min(block_size, n_elements() - block.begin);
-    for (Eigen::Index k = 0; k < block.size; ++k) {
-      const Eigen::Index t = block.begin + k;
-      block.gradient[k] = deformation_gradient(corners(t), elements[t]);
-      block.cauchy_green[k] = cauchy_green(block.gradient[k]);
-      block.invariants[k] = invariants(block.cauchy_green[k]);
-    }
-    const auto size = static_cast<std::size_t>(block.size);
-    law->evaluate_all(std::span(block.invariants).first(size), std::span(block.response).first(size));
-    return block;
-  }
-
-  /// Viscous part of the second Piola-Kirchhoff stress of element `t`, from its history.
-  SymmetricTensor viscous_stress(Eigen::Index t, const SymmetricTensor& cauchy_green) const {
-    return pulled_back(viscous->stress(t), right_stretch(cauchy_green));
-  }
-
-  /// Writes the elastic forces on the corners of the elements of block `number`.
-  void elastic_corner_forces(Eigen::Index number, Eigen::Matrix3Xd& forces) const {
-    const ElementBlock block = evaluated(number);
-    for (Eigen::Index k = 0; k < block.size; ++k) {
-      const Eigen::Index t = block.begin + k;
-      forces.middleCols<3>(3 * t) = corner_forces(block.gradient[k], block.elastic_stress(k), elements[t]);
-    }
-  }
-
-  /// The same of the total stress, after the history of the elements has taken their new strain.
-  void next_corner_forces(Eigen::Index number, Eigen::Matrix3Xd& forces) {
-    if (!viscous) return elastic_corner_forces(number, forces);
-    const ElementBlock block = evaluated(number);
-    for (Eigen::Index k = 0; k < block.size; ++k) {
-      const Eigen::Index t = block.begin + k;
-      const SymmetricTensor& c = block.cauchy_green[k];
-      viscous->take(t, 0.5 * (c - unit_tensor));
-      const SymmetricTensor stress = block.elastic_stress(k) + viscous_stress(t, c);
-      forces.middleCols<3>(3 * t) = corner_forces(block.gradient[k], stress, elements[t]);
-    }
-  }
-
-  /// Shows the elements of block `number` to the check; returns its first bad element, or `none`.
-  Eigen::Index first_bad_element(Eigen::Index number, Eigen::Index none) {
-    const Eigen::Index begin = number * block_size, end = std::min(begin + block_size, n_elements());
-    Eigen::Index bad = none;
-    for (Eigen::Index t = begin; t < end; ++t) {
-      if (!check.take(t, corners(t), elements[t].area)) bad = std::min(bad, t);
-    }
-    return bad;
-  }
-
-  /// Adds into each node's force what write_corner_forces(block) has written to its corners in
-  /// `corner_forces`.
-  template <class WriteCornerForces>
-  void gather(const WriteCornerForces& write_corner_forces, const Eigen::Matrix3Xd& corner_forces,
-              Eigen::Ref<Eigen::Matrix3Xd> force) const {
-#pragma omp parallel num_threads(n_threads)
-    {
-#pragma omp for schedule(static)
-      for (Eigen::Index block = 0; block < n_blocks(); ++block) write_corner_forces(block);
-#pragma omp for schedule(static)
-      for (Eigen::Index node = 0; node < force.cols(); ++node) {
-        force.col(node) += corners_of_node.sum(corner_forces, node);
-      }
-    }
-  }
-
-  void require_column_per_node(const std::string& what, Eigen::Index n_columns) const {
-    if (n_columns != positions.cols()) {
-      throw std::invalid_argument("membrane: " + what + " has " + std::to_string(n_columns) +
-                                  " columns, must have one for each of the " +
-                                  std::to_string(positions.cols()) + " nodes");
-    }
-  }
-
-  /// Throws if an element is bad; else their normals are those of the last step from now on.
-  void check_elements() {
-    const Eigen::Index none = n_elements();
-    Eigen::Index bad = none;
-#pragma omp parallel for num_threads(n_threads) schedule(static) reduction(min : bad)
-    for (Eigen::Index block = 0; block < n_blocks(); ++block) {
-      bad = std::min(bad, first_bad_element(block, none));
-    }
-    if (bad != none) check.report(bad, reference.triangles.col(bad), corners(bad), elements[bad].area);
-    check.accept();
-  }
-
-  int n_threads;
-  TriangleMesh reference;
-  std::shared_ptr<const ElasticLaw> law;
-  CornersOfNode corners_of_node;
-  std::vector<ReferenceElement> elements;
-  Eigen::Matrix3Xd positions;
-  Eigen::Matrix3Xd corner_force;  ///< scratch, a column a corner
-  ElementCheck check;
-  std::optional<ViscousHistory> viscous;
-};
 
 Membrane::Membrane(TriangleMesh reference, std::shared_ptr<const ElasticLaw> law, int threads)
     : Membrane(std::move(reference), std::move(law), nullptr, threads) {}
@@ -204,22 +56,29 @@ void Membrane::set_positions(const Eigen::Ref<const Eigen::Matrix3Xd>& positions
 void Membrane::add_forces(Eigen::Ref<Eigen::Matrix3Xd> force) {
   auto& self = *implementation_;
   self.require_column_per_node("the force array", force.cols());
-  self.check_elements();
-  if (self.viscous) self.viscous->begin_step();
-  self.gather([&](Eigen::Index block) { self.next_corner_forces(block, self.corner_force); },
-              self.corner_force, force);
+  const MembraneStep step{this, nullptr, &self.node_force};
+  advance({&step, 1});
+  force += self.node_force;
 }
 
 void Membrane::check_elements() {
-  implementation_->check_elements();
+  const MembraneStep step{this, nullptr, nullptr};
+  advance({&step, 1});
 }
 
 void Membrane::add_elastic_forces(Eigen::Ref<Eigen::Matrix3Xd> force) const {
   const auto& self = *implementation_;
   self.require_column_per_node("the force array", force.cols());
   Eigen::Matrix3Xd corner_force(3, 3 * n_triangles());
-  self.gather([&](Eigen::Index block) { self.elastic_corner_forces(block, corner_force); }, corner_force,
-              force);
+#pragma omp parallel num_threads(self.n_threads)
+  {
+#pragma omp for schedule(static)
+    for (Eigen::Index block = 0; block < self.n_blocks(); ++block)
+      self.elastic_corner_forces(block, corner_force);
+#pragma omp for schedule(static)
+    for (Eigen::Index node = 0; node < force.cols(); ++node)
+      force.col(node) += self.corners_of_node.sum(corner_force, node);
+  }
 }
 
 double Membrane::elastic_energy() const {

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include "membrane/viscous_law.hpp"
 
 namespace tanktread::membrane {
+
+struct MembraneStep;
 
 /// An element collapsed or turned inside out, or a position is not finite. The message names the element.
 class InvertedElement : public std::runtime_error {
@@ -88,6 +91,7 @@ class Membrane {
   void restore_history(const std::vector<double>& history);
 
  private:
+  friend void advance(std::span<const MembraneStep> steps);
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };

@@ -1,7 +1,8 @@
 # Tests of coupler; included by tests/CMakeLists.txt when the component is built.
 tanktread_test(coupler_unit
   SOURCES unit/coupler_kernels_test.cpp unit/coupler_stencils_test.cpp unit/coupler_transfer_test.cpp
-    unit/coupler_determinism_test.cpp unit/coupler_tangential_test.cpp unit/coupler_volume_test.cpp
+    unit/coupler_determinism_test.cpp unit/coupler_normals_test.cpp unit/coupler_tangential_test.cpp
+    unit/coupler_volume_test.cpp
   LIBRARIES tanktread::coupler)
 tanktread_test(coupler_verification
   SOURCES verification/coupler_interpolation_test.cpp verification/coupler_sheet_test.cpp

@@ -9,6 +9,7 @@ tanktread_test(membrane_law_test SOURCES unit/membrane_law_test.cpp LIBRARIES me
 tanktread_test(membrane_element_test SOURCES unit/membrane_element_test.cpp LIBRARIES membrane_test_support)
 tanktread_test(membrane_law_force_test SOURCES unit/membrane_law_force_test.cpp LIBRARIES membrane_test_support)
 tanktread_test(membrane_surface_test SOURCES unit/membrane_surface_test.cpp LIBRARIES membrane_test_support)
+tanktread_test(membrane_step_test SOURCES unit/membrane_step_test.cpp LIBRARIES membrane_test_support)
 tanktread_test(membrane_mesh_test SOURCES unit/membrane_mesh_test.cpp LIBRARIES membrane_test_support)
 tanktread_test(membrane_placed_surface_test SOURCES unit/membrane_placed_surface_test.cpp LIBRARIES membrane_test_support)
 tanktread_test(membrane_shape_test SOURCES unit/membrane_shape_test.cpp LIBRARIES membrane_test_support)

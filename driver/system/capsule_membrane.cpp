@@ -24,14 +24,13 @@ Eigen::Matrix<double, rows, Eigen::Dynamic> said(const std::vector<exchange::Arr
 CapsuleMembrane::CapsuleMembrane(membrane::Membrane membrane, std::unique_ptr<OutsideMembrane> program)
     : membrane_(std::move(membrane)), program_(std::move(program)) {}
 
-Eigen::Matrix3Xd CapsuleMembrane::next_forces(const Eigen::Matrix3Xd& velocity, std::int64_t step) {
-  if (program_) {
-    membrane_.check_elements();
-    return program_->forces(membrane_, velocity, step);
-  }
-  Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, n_nodes());
-  membrane_.add_forces(forces);
-  return forces;
+membrane::MembraneStep CapsuleMembrane::step_to(const Eigen::Matrix3Xd& positions, Eigen::Matrix3Xd& force) {
+  force.resize(3, n_nodes());
+  return {&membrane_, &positions, program_ ? nullptr : &force};
+}
+
+Eigen::Matrix3Xd CapsuleMembrane::program_forces(const Eigen::Matrix3Xd& velocity, std::int64_t step) {
+  return program_->forces(membrane_, velocity, step);
 }
 
 Eigen::Matrix3Xd CapsuleMembrane::elastic_forces() const {

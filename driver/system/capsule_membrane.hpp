@@ -8,6 +8,7 @@
 #include "driver/outside/outside_membrane.hpp"
 #include "driver/packets/membrane_state.hpp"
 #include "membrane/membrane.hpp"
+#include "membrane/membrane_step.hpp"
 
 namespace tanktread::driver {
 
@@ -28,12 +29,16 @@ class CapsuleMembrane {
     membrane_.set_positions(positions);
   }
 
-  /// The time step of the membrane, once a step: the total nodal forces at the present positions, 3 x
-  /// n_nodes.
+  bool has_program() const { return program_ != nullptr; }
+  /// The time step of the membrane, for membrane::advance(); with a program in the place of its laws that
+  /// checks the elements alone.
+  /// @param positions borrowed, as is `force`, which is made as large as it must be
+  membrane::MembraneStep step_to(const Eigen::Matrix3Xd& positions, Eigen::Matrix3Xd& force);
+  /// The total nodal forces that the program gives at the present positions, 3 x n_nodes.
   /// @param velocity that moved the nodes there
   /// @param step of the positions
-  /// @throws membrane::InvertedElement; RunError if a program gives none
-  Eigen::Matrix3Xd next_forces(const Eigen::Matrix3Xd& velocity, std::int64_t step);
+  /// @throws RunError if it gives none
+  Eigen::Matrix3Xd program_forces(const Eigen::Matrix3Xd& velocity, std::int64_t step);
 
   // For output; of a program the point data elastic_force and the cell data stress, viscous_stress of its
   // last reply, where it has them in the shapes of docs/files.md, else NaN.

@@ -15,6 +15,7 @@ NodeCorrections make_node_corrections(const Case& the_case, const coupler::Coupl
   corrections.keeps_volume = the_case.coupler.keep_volume;
   if (the_case.coupler.tangential_correction) {
     corrections.along_membrane.emplace(coupler, flow_parameters(the_case).kinematic_viscosity);  // density 1
+    corrections.normals = std::make_unique<coupler::NodeNormals>(the_case.run.threads);
   }
   return corrections;
 }

@@ -42,14 +42,10 @@ std::span<const int> triangles_of(const Surfaces& surfaces, std::size_t surface)
   return {triangles.data(), static_cast<std::size_t>(triangles.size())};
 }
 
-NodeVectors normals_of(const Surfaces& surfaces) {
-  NodeVectors normals = zero_like(surfaces.positions);
-  const auto positions = views(surfaces.positions);
-  const auto targets = targets_of(normals);
-  for (std::size_t k = 0; k < targets.size(); ++k) {
-    coupler::node_normals(positions[k], triangles_of(surfaces, k), targets[k]);
-  }
-  return normals;
+std::vector<std::span<const int>> triangles_of(const Surfaces& surfaces) {
+  std::vector<std::span<const int>> spans;
+  for (std::size_t k = 0; k < surfaces.triangles.size(); ++k) spans.push_back(triangles_of(surfaces, k));
+  return spans;
 }
 
 void keep_volume(const Surfaces& surfaces, const std::vector<std::span<double>>& velocity) {
@@ -89,7 +85,8 @@ void correct_velocity(const coupler::Coupler& coupler, const NodeCorrections& co
                       const Surfaces& surfaces, const NodeVectors& force, NodeVectors& velocity) {
   const auto targets = targets_of(velocity);
   if (corrections.along_membrane) {
-    corrections.along_membrane->add(coupler, views(normals_of(surfaces)), views(force), targets);
+    const auto normals = corrections.normals->find(views(surfaces.positions), triangles_of(surfaces));
+    corrections.along_membrane->add(coupler, normals, views(force), targets);
   }
   if (corrections.keeps_volume) keep_volume(surfaces, targets);
 }

@@ -23,11 +23,13 @@ NodeVectors move_nodes(const NodeVectors& positions, const NodeVectors& velocity
 
 NodeVectors nodal_forces(std::vector<CapsuleMembrane>& membranes, const NodeVectors& positions,
                          const NodeVectors& velocity, std::int64_t step) {
-  NodeVectors forces;
-  for (std::size_t k = 0; k < membranes.size(); ++k) {
-    membranes[k].set_positions(positions[k]);
-    forces.push_back(membranes[k].next_forces(velocity[k], step));
-  }
+  NodeVectors forces(membranes.size());
+  std::vector<membrane::MembraneStep> steps;
+  for (std::size_t k = 0; k < membranes.size(); ++k)
+    steps.push_back(membranes[k].step_to(positions[k], forces[k]));
+  membrane::advance(steps);
+  for (std::size_t k = 0; k < membranes.size(); ++k)
+    if (membranes[k].has_program()) forces[k] = membranes[k].program_forces(velocity[k], step);
   return forces;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupler/coupler.hpp"
+#include "coupler/node_normals.hpp"
 #include "coupler/tangential_correction.hpp"
 #include "tests/bench/bandwidth.hpp"
 #include "tests/unit/coupler_support.hpp"
@@ -43,9 +44,10 @@ class Capsule {
 
   /// What the tangential correction adds to a step: normals, spread, interpolation.
   void correct() {
-    node_normals(positions_[n_builds_ % 2], triangles_, normals_);
-    const std::span<const double> normals[] = {normals_}, force[] = {node_force_};
+    const std::span<const double> positions[] = {positions_[n_builds_ % 2]}, force[] = {node_force_};
+    const std::span<const int> triangles[] = {triangles_};
     const std::span<double> velocity[] = {node_velocity_};
+    const auto normals = node_normals_.find(positions, triangles);
     correction_.add(coupler_, normals, force, velocity);
   }
 
@@ -79,12 +81,12 @@ class Capsule {
   }
 
   Coupler coupler_;
+  NodeNormals node_normals_;
   TangentialCorrection correction_{coupler_, 1.0 / 6.0};
   std::vector<double> positions_[2];
   // What comes out of one call never goes into another: numbers that shrink round after round end below the
   // normal doubles, which some processors are slow at.
   std::vector<double> node_velocity_, node_force_, grid_velocity_, grid_force_;
-  std::vector<double> normals_ = std::vector<double>(3 * n_nodes);
   std::vector<int> triangles_ = some_triangles();
   int n_builds_ = 0;
 };

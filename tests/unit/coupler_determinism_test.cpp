@@ -96,6 +96,20 @@ TEST_P(CouplerDeterminism, SeveralSurfacesAreOneOfAllTheirNodes) {
   EXPECT_TRUE(same_bits(spread(together, {joined(force_)}), spread(one_thread_, force_)));
 }
 
+TEST_P(CouplerDeterminism, AStencilMayReachThePlanesOfAThreadFromBothSides) {
+  // As wide as the grid: behind the periodic face come planes that its first thread has as well.
+  const Grid small = {{6, 7, 6}, {true, true, true}};
+  const Numbers nodes = sphere(60, 2.0, {3.0, 3.0, 3.0}), force = random_numbers(180, -1, 1, 7);
+  Coupler one_thread(small, GetParam(), 1);
+  build(one_thread, {nodes});
+  const Numbers grid_force = spread(one_thread, {force});
+  for (const int threads : {2, 3, 4, 7}) {
+    Coupler coupler(small, GetParam(), threads);
+    build(coupler, {nodes});
+    EXPECT_TRUE(same_bits(spread(coupler, {force}), grid_force)) << threads;
+  }
+}
+
 TEST_P(CouplerDeterminism, StencilsDoNotDependOnWhatWasBuiltBefore) {
   Coupler used(box, GetParam(), 2);
   for (const double x : {3.0, 20.0, 11.0}) build(used, {sphere(500, 4.0, {x, 9.0, 12.0}), surfaces[2]});

@@ -1,4 +1,4 @@
-// The tangential correction: its number for each kernel, its normals, and what kind of mobility it adds.
+// The tangential correction: its number for each kernel, and what kind of mobility it adds.
 #include "coupler/tangential_correction.hpp"
 
 #include <gtest/gtest.h>
@@ -135,48 +135,6 @@ TEST(TangentialCorrection, NamesTheNodeWithoutANormalOrAForceAndAddsNothing) {
   surface.normals[3 * 9] = std::nan("");
   EXPECT_EQ(message(), "the normal of node 9 of surface 0 is not finite");
   EXPECT_EQ(velocity, Numbers(450, already_there));
-}
-
-TEST(NodeNormals, WeighTheTrianglesAroundByTheirEdges) {
-  // A square of two triangles in the plane z = 0, and an upright triangle on one side of it.
-  const Numbers positions = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.5, 0, -1};
-  const std::vector<int> triangles = {0, 1, 2, 0, 2, 3, 0, 4, 1};
-  Numbers normals(15, std::nan(""));
-  node_normals(positions, triangles, normals);
-  // At nodes 0 and 1 the flat part has the weights 1/2 + 1/2 and 1, the upright one, whose edges there are of
-  // length 1 and of the square 5/4, 4/5.
-  const double length = std::sqrt(1 + 0.8 * 0.8);
-  const Numbers expected = joined(
-      {{0, -0.8 / length, 1 / length}, {0, -0.8 / length, 1 / length}, {0, 0, 1}, {0, 0, 1}, {0, -1, 0}});
-  for (std::size_t k = 0; k < 15; ++k) EXPECT_NEAR(normals[k], expected[k], 2 * eps) << k;
-}
-
-TEST(NodeNormals, AreExactOnASphereHoweverUnevenTheTriangles) {
-  // A fan of six around a node; the numbers are of no importance.
-  const double latitude[] = {0.3, 0.5, 0.2, 0.9, 0.4, 0.6}, longitude[] = {0.1, 0.9, 2.2, 3.0, 4.4, 5.5};
-  const double radius = 3, centre[] = {0.5, -1, 2};
-  Numbers positions = {centre[0], centre[1], centre[2] + radius};
-  std::vector<int> triangles;
-  for (int k = 0; k < 6; ++k) {
-    positions.push_back(centre[0] + radius * std::sin(latitude[k]) * std::cos(longitude[k]));
-    positions.push_back(centre[1] + radius * std::sin(latitude[k]) * std::sin(longitude[k]));
-    positions.push_back(centre[2] + radius * std::cos(latitude[k]));
-    triangles.insert(triangles.end(), {0, k + 1, (k + 1) % 6 + 1});
-  }
-  Numbers normals(positions.size());
-  node_normals(positions, triangles, normals);
-  // Edges of a fifth of the radius and more lose so many times their own rounding, and their products twice
-  // that.
-  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(normals[axis], axis == 2 ? 1 : 0, 50 * eps) << axis;
-}
-
-TEST(NodeNormals, RefuseWhatIsNoSurface) {
-  const Numbers positions = {0, 0, 0, 1, 0, 0, 1, 1, 0};
-  Numbers normals(9), too_few(6);
-  EXPECT_THROW(node_normals(positions, std::vector<int>{0, 1, 3}, normals), std::invalid_argument);
-  EXPECT_THROW(node_normals(positions, std::vector<int>{0, 1, -1}, normals), std::invalid_argument);
-  EXPECT_THROW(node_normals(positions, std::vector<int>{0, 1}, normals), std::invalid_argument);
-  EXPECT_THROW(node_normals(positions, std::vector<int>{0, 1, 2}, too_few), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,0 +1,74 @@
+// A row of a stencil: the numbers of neighbouring grid nodes, taken through the same arithmetic in vectors.
+#pragma once
+
+#include <cstring>
+
+namespace tanktread::coupler {
+
+/// `length` doubles that lie one after the other, at any address; in registers as long as nobody asks for
+/// one of them. What is done to one is done to each, so that their results are those of a plain loop.
+template <int length>
+class Row {
+ public:
+  /// All zero.
+  Row() = default;
+  explicit Row(const double* numbers) {
+    for (int k = 0; k < n_fours; ++k) fours_[k] = loaded<Four>(numbers + 4 * k);
+    for (int k = 0; k < n_twos; ++k) twos_[k] = loaded<Two>(numbers + 4 * n_fours);
+    for (int k = 0; k < n_ones; ++k) ones_[k] = numbers[length - 1];
+  }
+
+  /// Adds weight times the numbers at `source`.
+  __attribute__((always_inline)) void add(double weight, const double* source) {
+#pragma GCC unroll 8
+    for (int k = 0; k < n_fours; ++k) fours_[k] += weight * loaded<Four>(source + 4 * k);
+#pragma GCC unroll 8
+    for (int k = 0; k < n_twos; ++k) twos_[k] += weight * loaded<Two>(source + 4 * n_fours);
+#pragma GCC unroll 8
+    for (int k = 0; k < n_ones; ++k) ones_[k] += weight * source[length - 1];
+  }
+
+  /// Adds weight times this to the numbers at `target`.
+  __attribute__((always_inline)) void add_to(double weight, double* target) const {
+#pragma GCC unroll 8
+    for (int k = 0; k < n_fours; ++k)
+      store(loaded<Four>(target + 4 * k) + weight * fours_[k], target + 4 * k);
+#pragma GCC unroll 8
+    for (int k = 0; k < n_twos; ++k)
+      store(loaded<Two>(target + 4 * n_fours) + weight * twos_[k], target + 4 * n_fours);
+#pragma GCC unroll 8
+    for (int k = 0; k < n_ones; ++k) target[length - 1] += weight * ones_[k];
+  }
+
+  __attribute__((always_inline)) void store_to(double* numbers) const {
+#pragma GCC unroll 8
+    for (int k = 0; k < n_fours; ++k) store(fours_[k], numbers + 4 * k);
+#pragma GCC unroll 8
+    for (int k = 0; k < n_twos; ++k) store(twos_[k], numbers + 4 * n_fours);
+#pragma GCC unroll 8
+    for (int k = 0; k < n_ones; ++k) numbers[length - 1] = ones_[k];
+  }
+
+ private:
+  static constexpr int n_fours = length / 4, n_twos = length % 4 / 2, n_ones = length % 2;
+  using Four = double __attribute__((vector_size(32)));
+  using Two = double __attribute__((vector_size(16)));
+
+  // By memcpy, for the addresses are those of doubles.
+  template <class Vector>
+  __attribute__((always_inline)) static Vector loaded(const double* address) {
+    Vector vector;
+    std::memcpy(&vector, address, sizeof vector);
+    return vector;
+  }
+  template <class Vector>
+  __attribute__((always_inline)) static void store(const Vector& vector, double* address) {
+    std::memcpy(address, &vector, sizeof vector);
+  }
+
+  Four fours_[n_fours > 0 ? n_fours : 1] = {};
+  Two twos_[n_twos > 0 ? n_twos : 1] = {};
+  double ones_[n_ones > 0 ? n_ones : 1] = {};
+};
+
+}  // namespace tanktread::coupler

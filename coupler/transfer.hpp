@@ -1,0 +1,115 @@
+// What is behind a Coupler: its stencils, and the loops that take vectors from the grid to the membrane nodes
+// and back. Internal to the coupler.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "coupler/coupler.hpp"
+#include "coupler/node_stencil.hpp"
+#include "coupler/stencils.hpp"
+
+namespace tanktread::coupler {
+
+/// @throws std::invalid_argument unless an array has as many numbers as it must
+inline void check_size(const std::string& what, std::size_t size, std::size_t needed) {
+  if (size == needed) return;
+  throw std::invalid_argument("coupler: " + what + ": " + std::to_string(size) + " given, " +
+                              std::to_string(needed) + " needed");
+}
+
+struct Coupler::Implementation {
+  Implementation(const Grid& the_grid, const Kernel& kernel, int shares)
+      : grid(the_grid), n_shares(shares), builder(the_grid, kernel, shares) {}
+
+  /// @throws std::invalid_argument unless `surfaces` are as many, and as long, as those that the stencils
+  /// were built for
+  template <class Surfaces>
+  void check_surfaces(const std::string& what, const Surfaces& surfaces) const {
+    check_size(what + ", surfaces", surfaces.size(), stencils.n_surfaces());
+    for (std::size_t s = 0; s < surfaces.size(); ++s) {
+      const std::size_t needed = 3 * (stencils.first_node[s + 1] - stencils.first_node[s]);
+      if (surfaces[s].size() != needed)
+        check_size(what + ", numbers of surface " + std::to_string(s), surfaces[s].size(), needed);
+    }
+  }
+
+  /// Whether holds(surface, node) for every membrane node.
+  template <class Holds>
+  bool for_all_nodes(const Holds& holds) const {
+    bool all = true;
+#pragma omp parallel for num_threads(n_shares) schedule(static, 1) reduction(&& : all)
+    for (int share = 0; share < n_shares; ++share) {
+      const NodeRange range(stencils.n_nodes(), share, n_shares);
+      SurfaceOfNode surface(stencils.first_node);
+      for (std::size_t m = range.begin; m < range.end; ++m) {
+        const std::size_t s = surface.of(m);
+        all = all && holds(s, surface.node(m));
+      }
+    }
+    return all;
+  }
+
+  /// Calls take(surface, node, u_m) for every membrane node, from any thread.
+  template <class Take>
+  void interpolate(std::span<const double> grid_velocity, const Take& take) const {
+    if (stencils.n_nodes() == 0) return;
+    for_width(stencils.width, [&]<int width>() {
+#pragma omp parallel for num_threads(n_shares) schedule(static, 1)
+      for (int share = 0; share < n_shares; ++share)
+        interpolate_share<width>(share, grid_velocity.data(), take);
+    });
+  }
+
+  /// Overwrites grid_force. @param force force(surface, node, F_m) writes the three numbers; it is called
+  /// more than once for some nodes, from any thread
+  template <class Force>
+  void spread(const Force& force, std::span<double> grid_force) const {
+    if (stencils.n_nodes() == 0) return;
+    for_width(stencils.width, [&]<int width>() {
+#pragma omp parallel for num_threads(n_shares) schedule(static, 1)
+      for (int share = 0; share < n_shares; ++share)
+        spread_share<width>(stencils.shares[share], force, grid_force.data());
+    });
+  }
+
+  Grid grid;
+  int n_shares;
+  StencilBuilder builder;
+  Stencils stencils;  ///< in use
+  Stencils next;      ///< being built, so that the old ones stay if that fails
+
+ private:
+  template <int width, class Take>
+  void interpolate_share(int share, const double* grid_velocity, const Take& take) const {
+    const NodeRange range(stencils.n_nodes(), share, n_shares);
+    SurfaceOfNode surface(stencils.first_node);
+    for (std::size_t m = range.begin; m < range.end; ++m) {
+      double velocity[3];
+      NodeStencil<width>(stencils, m, grid.nodes[0]).take(grid_velocity, velocity);
+      const std::size_t s = surface.of(m);
+      take(s, surface.node(m), velocity);
+    }
+  }
+
+  // The share alone writes to its planes, and goes through their membrane nodes in order: every grid node
+  // receives its parts in the order of the membrane nodes, however many shares there are.
+  template <int width, class Force>
+  void spread_share(const GridShare& share, const Force& force, double* grid_force) const {
+    std::fill(grid_force + 3 * share.first_number, grid_force + 3 * share.last_number, 0.0);
+    SurfaceOfNode surface(stencils.first_node);
+    for (std::size_t k = share.first_node; k < share.last_node; ++k) {
+      const std::size_t m = stencils.share_nodes[k], s = surface.of(m);
+      double node_force[3];
+      force(s, surface.node(m), node_force);
+      NodeStencil<width>(stencils, m, grid.nodes[0])
+          .give(
+              node_force, stencils.first[m][2], grid.nodes[2], [&](int z) { return share.has_plane(z); },
+              grid_force);
+    }
+  }
+};
+
+}  // namespace tanktread::coupler
