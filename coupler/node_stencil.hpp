@@ -53,28 +53,16 @@ class NodeStencil {
   template <class HasPlane>
   __attribute__((always_inline)) void give(const double* force, int first_plane, int n_planes,
                                            const HasPlane& has_plane, double* grid) const {
-    double numbers[length];
-#pragma GCC unroll 8
-    for (int kx = 0; kx < width; ++kx) {
-#pragma GCC unroll 3
-      for (int component = 0; component < 3; ++component)
-        numbers[3 * kx + component] = x_[kx] * force[component];
-    }
-    const Row<length> along_x(numbers);
-    for (int kz = 0, z = first_plane; kz < width; ++kz) {
-      if (has_plane(z)) {
-#pragma GCC unroll 8
-        for (int ky = 0; ky < width; ++ky) {
-          const int row = kz * width + ky;
-          const double weight = z_[kz] * y_[ky];
-          if (across_run_ == nullptr) {
-            along_x.add_to(weight, at(grid, run_[row]));
-          } else {
-            add_in_pieces(weight, numbers, at(grid, run_[row]), at(grid, across_run_[row]));
-          }
-        }
-      }
-      if (++z == n_planes) z = 0;
+    const Row<length> along_x([&](int k) { return x_[k / 3] * force[k % 3]; });
+    if (across_run_ == nullptr) {
+      for_rows_in_planes(first_plane, n_planes, has_plane,
+                         [&](int row, double weight) { along_x.add_to(weight, at(grid, run_[row])); });
+    } else {
+      double numbers[length];
+      along_x.store_to(numbers);
+      for_rows_in_planes(first_plane, n_planes, has_plane, [&](int row, double weight) {
+        add_in_pieces(weight, numbers, at(grid, run_[row]), at(grid, across_run_[row]));
+      });
     }
   }
 
@@ -93,6 +81,20 @@ class NodeStencil {
     for (int kz = 0; kz < width; ++kz) {
 #pragma GCC unroll 8
       for (int ky = 0; ky < width; ++ky) visit(kz * width + ky, z_[kz] * y_[ky]);
+    }
+  }
+
+  /// The same for the rows in planes z of which has_plane(z).
+  template <class HasPlane, class Visit>
+  __attribute__((always_inline)) void for_rows_in_planes(int first_plane, int n_planes,
+                                                         const HasPlane& has_plane,
+                                                         const Visit& visit) const {
+    for (int kz = 0, z = first_plane; kz < width; ++kz) {
+      if (has_plane(z)) {
+#pragma GCC unroll 8
+        for (int ky = 0; ky < width; ++ky) visit(kz * width + ky, z_[kz] * y_[ky]);
+      }
+      if (++z == n_planes) z = 0;
     }
   }
 

@@ -12,10 +12,16 @@ class Row {
  public:
   /// All zero.
   Row() = default;
-  explicit Row(const double* numbers) {
-    for (int k = 0; k < n_fours; ++k) fours_[k] = loaded<Four>(numbers + 4 * k);
-    for (int k = 0; k < n_twos; ++k) twos_[k] = loaded<Two>(numbers + 4 * n_fours);
-    for (int k = 0; k < n_ones; ++k) ones_[k] = numbers[length - 1];
+  /// number(k) for k = 0 .. length - 1.
+  template <class Number>
+  __attribute__((always_inline)) explicit Row(const Number& number) {
+#pragma GCC unroll 8
+    for (int k = 0; k < n_fours; ++k)
+      fours_[k] = Four{number(4 * k), number(4 * k + 1), number(4 * k + 2), number(4 * k + 3)};
+#pragma GCC unroll 8
+    for (int k = 0; k < n_twos; ++k) twos_[k] = Two{number(4 * n_fours), number(4 * n_fours + 1)};
+#pragma GCC unroll 8
+    for (int k = 0; k < n_ones; ++k) ones_[k] = number(length - 1);
   }
 
   /// Adds weight times the numbers at `source`.
