@@ -154,13 +154,15 @@ class Study:
 
 
 def read_study(output, case):
-    """All that is there. Runs that start from the developed flow are of the step map."""
+    """All that is there. Runs that start from the developed flow are of the step map, but for those of the group `elsewhere`."""
     settings = read_comparison(case)["analyse"]
     for entry in settings["measured"]:
         check_keys(f"{pathlib.Path(case) / 'compare.toml'}: [[analyse.measured]]", entry, MEASURED)
     measured_before = [read_measured(case, entry, settings) for entry in settings["measured"]]
     folders = {True: [], False: []}
     for directory in finished_runs(output):
+        if directory.name.startswith("elsewhere-"):
+            continue
         folders[read_echo(directory)["flow"]["start"] == "developed"].append(read_run(directory, settings))
     return Study(settings, measured_before + folders[False], folders[True])
 

@@ -5,6 +5,7 @@
 #include "driver/case/case_programs.hpp"
 #include "driver/plan/duration.hpp"
 #include "driver/plan/echo_capsule.hpp"
+#include "driver/plan/step_advice.hpp"
 #include "driver/program/memory.hpp"
 #include "driver/units/schedule.hpp"
 
@@ -102,6 +103,7 @@ void put_run(EchoTable& table, const Subject& subject) {
             in_si(subject, p.steps_per_shear_time, second, "s"), "1/g");
   table.row("steps", fmt::format("{}", n_steps), in_si(subject, static_cast<double>(n_steps), second, "s"),
             fmt::format("to shear time {:.6g}", the_case.run.shear_time));
+  put_step(table, subject);
   put_schedule(table, subject, "observables", the_case.output.observables_every);
   put_schedule(table, subject, "membrane files", the_case.output.membrane_every);
   put_schedule(table, subject, "fluid files", the_case.output.fluid_every);

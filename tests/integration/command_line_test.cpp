@@ -121,6 +121,21 @@ TEST(CommandLine, AFullOutputDirectoryIsRefusedBeforeThePlan) {
   EXPECT_THAT(ended.output, Not(HasSubstr("MLUPS")));
 }
 
+TEST(CommandLine, APlanSaysHowLargeAStepKeepsAnAccuracy) {
+  const TemporaryDirectory directory;
+  std::ofstream(directory / "case.toml")
+      << "[flow]\nbox = [24, 24, 24]\nwall_speed = 0.02\n[[capsule]]\nradius = 5.0\n"
+         "position = [12.0, 12.0, 12.0]\n[membrane]\ncapillary_number = 0.3\n";
+  const std::vector<std::string> plan = {"plan", (directory / "case.toml").string(), "--accuracy", "0.002"};
+  const auto ended = run_program(plan);
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_THAT(ended.output, HasSubstr("accuracy 0.002: D within 0.2 % by the step at tau+ = 1 with --set "
+                                      "flow.wall_speed="));
+  auto too_good = plan;
+  too_good.back() = "0";
+  EXPECT_EQ(run_program(too_good).exit_code, 2);
+}
+
 TEST(CommandLine, AMessagesCommandLineIsQuotedForTheShell) {
   const TemporaryDirectory directory;
   std::ofstream(directory / "case.toml") << quick_case;
