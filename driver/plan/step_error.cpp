@@ -54,7 +54,7 @@ StepError step_error(const StepNumbers& numbers) {
   error.unsteady = from_rest
                        ? ShapeError{-0.001 * re, 0.34 * re}
                        : ShapeError{-0.0085 * std::pow(ca / 0.6, 0.4) * re, -(0.22 + 0.5 * (ca - 0.6)) * re};
-  error.compression = {1.275 / (0.13 + ca) * k, -19.0 / (0.13 + ca) * k};
+  error.compression = {1.275 / (0.13 + ca) * k, -(41 - 25 * ca) * k};
   if (inertia) error.inertia = {0.0505 * re + 0.0102 * re * re - 0.49 * k, 3.54 * re - 0.28 * re * re};
   return error;
 }

@@ -98,15 +98,17 @@ void watch(const std::stop_token& stop) try {
 }  // namespace
 
 bool SharedCores::observe(double run, double waited) {
-  constexpr double share_that_tells = 0.05, least_seconds = 0.02;
-  constexpr int n_until_free = 10;
+  constexpr double share_that_tells = 0.1, least_seconds = 0.02;
+  constexpr int n_until_shared = 2, n_until_free = 5;
   const double ran = run - run_, delay = waited - waited_;
   run_ = run;
   waited_ = waited;
   if (ran < 0 || delay < 0 || ran + delay < least_seconds) return shared_;
   const bool now = delay > share_that_tells * (ran + delay);
-  n_free_ = now ? 0 : n_free_ + 1;
-  shared_ = now || (shared_ && n_free_ < n_until_free);
+  n_other_ = now == shared_ ? 0 : n_other_ + 1;
+  if (n_other_ < (shared_ ? n_until_free : n_until_shared)) return shared_;
+  n_other_ = 0;
+  shared_ = now;
   return shared_;
 }
 

@@ -13,7 +13,9 @@
 // more by exec, which debuggers and checkers of memory do not all follow; and to set it before libgomp is
 // loaded, for in .preinit_array glibc has no environment yet, and replaces what is set there.
 //
-// LLVM's libomp gives its core away while it spins, and needs nothing.
+// With LLVM's libomp nothing is done: its threads spin for 0.2 s, give way to those of its own only (which
+// does not help, tried with such a team), and what governs that (KMP_BLOCKTIME) is set by the thread that
+// opens the loops. Beside other programs a user sets OMP_WAIT_POLICY=passive there.
 #pragma once
 
 #include <thread>
@@ -24,22 +26,22 @@ namespace tanktread::driver {
 /// run.
 class SharedCores {
  public:
-  /// Takes the present times, some tenths of a second after the last ones. They are shared at once where the
-  /// threads waited for more than 5 % of the time that they wanted to run, and free again after ten times in
-  /// a row in which they did not. Times in which they hardly wanted to run say nothing, nor do sums that are
-  /// smaller, because threads have ended.
+  /// Takes the present times, some tenths of a second after the last ones. The cores are shared after two
+  /// times in a row in which the threads waited for more than a tenth of what they wanted to run, and free
+  /// again after five in which they did not: what goes by in a moment changes nothing. Times in which they
+  /// hardly wanted to run say nothing, nor do sums that are smaller, because threads have ended.
   /// @param run, waited seconds that all threads together have run, and waited for a core, since they began
   /// @return whether the cores are shared
   bool observe(double run, double waited);
 
  private:
   double run_ = 0, waited_ = 0;
-  int n_free_ = 0;
+  int n_other_ = 0;  ///< times in a row that said the other
   bool shared_ = false;
 };
 
 /// Looks after the waiting threads of the program while it lives: one at a time. It does nothing where the
-/// user has said how they wait (OMP_WAIT_POLICY or GOMP_SPINCOUNT), with an OpenMP that needs nothing, and
+/// user has said how they wait (OMP_WAIT_POLICY or GOMP_SPINCOUNT), with libomp, and
 /// where the system does not tell what threads wait for (/proc/self/task/N/schedstat).
 class WaitingThreads {
  public:

@@ -13,7 +13,8 @@ namespace {
 
 /// The speed of memory over an array as large as the lattice, or large enough for any cache.
 double memory_speed(const System& system, int threads) {
-  constexpr std::int64_t numbers_a_node = 19, most_numbers = std::int64_t{1} << 25;
+  constexpr std::int64_t numbers_a_node = fluid::lattice_boltzmann_bytes_per_node / (2 * sizeof(double));
+  constexpr std::int64_t most_numbers = std::int64_t{1} << 25;
   constexpr int most_passes = 12;
   constexpr double most_seconds = 0.3;
   const auto n = std::min(numbers_a_node * system.fluid->shape().size(), most_numbers);

@@ -20,7 +20,7 @@ WORKING = 2  # threads
 
 
 def setUpModule():
-    """With LLVM's OpenMP there is nothing to do."""
+    """With LLVM's OpenMP nothing is done."""
     libraries = subprocess.run(["ldd", OutsideTest.program], capture_output=True, text=True, check=True).stdout
     if "libgomp" not in libraries:
         raise unittest.SkipTest("the program does not use libgomp")
