@@ -48,13 +48,17 @@ void Coupler::build(std::span<const std::span<const double>> surfaces) {
 }
 
 std::span<const std::int64_t> Coupler::grid_nodes() const {
+  return *implementation_->stencils.grid_nodes;
+}
+
+std::shared_ptr<const std::vector<std::int64_t>> Coupler::grid_node_list() const {
   return implementation_->stencils.grid_nodes;
 }
 
 void Coupler::interpolate(std::span<const double> grid_velocity,
                           std::span<const std::span<double>> node_velocity) const {
   const Stencils& stencils = implementation_->stencils;
-  check_size("interpolate, grid_velocity", grid_velocity.size(), 3 * stencils.grid_nodes.size());
+  check_size("interpolate, grid_velocity", grid_velocity.size(), 3 * stencils.grid_nodes->size());
   implementation_->check_surfaces("interpolate, node_velocity", node_velocity);
   implementation_->interpolate(grid_velocity,
                                [&](std::size_t surface, std::size_t node, const double* velocity) {
@@ -66,7 +70,7 @@ void Coupler::spread(std::span<const std::span<const double>> node_force,
                      std::span<double> grid_force) const {
   const Stencils& stencils = implementation_->stencils;
   implementation_->check_surfaces("spread, node_force", node_force);
-  check_size("spread, grid_force", grid_force.size(), 3 * stencils.grid_nodes.size());
+  check_size("spread, grid_force", grid_force.size(), 3 * stencils.grid_nodes->size());
   implementation_->spread([&](std::size_t surface, std::size_t node,
                               double* force) { std::copy_n(&node_force[surface][3 * node], 3, force); },
                           grid_force);

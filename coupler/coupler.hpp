@@ -76,6 +76,8 @@ class Coupler {
   /// Linear indices of the grid nodes that the stencils touch, each once, ascending: the order of all grid
   /// arrays below. The span is valid until the next build().
   std::span<const std::int64_t> grid_nodes() const;
+  /// The same list, for those who want to hold it longer: it does not change any more.
+  std::shared_ptr<const std::vector<std::int64_t>> grid_node_list() const;
 
   /// u_m = sum_f delta(x_f - x_m) u_f (Eq. 2.3).
   /// @param grid_velocity 3 x grid_nodes()

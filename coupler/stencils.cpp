@@ -188,7 +188,9 @@ void StencilBuilder::mark(Stencils& stencils) {
   }
   if (count > std::numeric_limits<std::int32_t>::max())
     throw std::length_error("coupler: the stencils touch more than 2^31 - 1 grid nodes");
-  stencils.grid_nodes.resize(count);
+  if (stencils.grid_nodes.use_count() > 1)
+    stencils.grid_nodes = std::make_shared<std::vector<std::int64_t>>();
+  stencils.grid_nodes->resize(count);
 }
 
 template <int width>
@@ -216,7 +218,7 @@ void StencilBuilder::number(Stencils& stencils) {
 #pragma omp parallel for num_threads(n_shares_) schedule(static, 1)
   for (int k = 0; k < n_shares_; ++k) {
     const GridShare& share = stencils.shares[k];
-    marks_.number(rows_of(share), share.first_number, stencils.grid_nodes.data() + share.first_number);
+    marks_.number(rows_of(share), share.first_number, stencils.grid_nodes->data() + share.first_number);
   }
   std::int32_t across = 0;
   for (Counts& counts : counts_) across += std::exchange(counts.across, across);  // those before from now on

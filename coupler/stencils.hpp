@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -35,8 +36,9 @@ struct Stencils {
   std::vector<std::int32_t> run;              ///< [m][z][y] number of the first grid node of each row
   std::vector<std::int32_t> across;           ///< [m] its place in across_run, in stencils; -1: not across x
   std::vector<std::int32_t> across_run;       ///< [place][z][y] number of the grid node at x = 0 of each row
-  std::vector<std::int64_t> grid_nodes;       ///< linear indices, ascending
-  std::vector<GridShare> shares;              ///< one after the other, all planes of the grid
+  /// Linear indices, ascending; shared with those who hold it beyond this instant.
+  std::shared_ptr<std::vector<std::int64_t>> grid_nodes = std::make_shared<std::vector<std::int64_t>>();
+  std::vector<GridShare> shares;  ///< one after the other, all planes of the grid
   /// The membrane nodes that touch the planes of the first share, ascending, then those of the second ...
   std::vector<std::size_t> share_nodes;
 

@@ -148,8 +148,8 @@ exchange::GridPacket grid_file(const GridVectors& vectors, const std::string& ar
   const std::size_t n_nodes = std::size_t(box[0]) * std::size_t(box[1]) * std::size_t(box[2]);
   Array values{array, 3, std::vector<double>(3 * n_nodes)},
       touched{touched_array, 1, std::vector<double>(n_nodes)};
-  for (std::size_t k = 0; k < vectors.nodes.size(); ++k) {
-    const auto node = static_cast<std::size_t>(vectors.nodes[k]);
+  for (std::size_t k = 0; k < vectors.nodes->size(); ++k) {
+    const auto node = static_cast<std::size_t>((*vectors.nodes)[k]);
     std::copy_n(&vectors.values[3 * k], 3, &values.values[3 * node]);
     touched.values[node] = 1;
   }
@@ -178,20 +178,20 @@ GridVectors grid_vectors_of(const exchange::GridPacket& file, const std::string&
   check_grid(file, box, name);
   const auto& found = vector_array(file.point_data, array, name);
   const auto* touched = optional_scalars(file.point_data, touched_array, name);
-  GridVectors vectors;
   if (touched == nullptr) {
-    vectors.nodes.resize(found.values.size() / 3);
-    std::iota(vectors.nodes.begin(), vectors.nodes.end(), 0);
-    vectors.values = found.values;
-    return vectors;
+    std::vector<std::int64_t> all(found.values.size() / 3);
+    std::iota(all.begin(), all.end(), 0);
+    return {std::make_shared<const std::vector<std::int64_t>>(std::move(all)), found.values};
   }
+  std::vector<std::int64_t> nodes;
+  std::vector<double> values;
   for (std::size_t node = 0; node < touched->values.size(); ++node) {
     if (touched->values[node] == 0) continue;
-    vectors.nodes.push_back(static_cast<std::int64_t>(node));
+    nodes.push_back(static_cast<std::int64_t>(node));
     const auto first = found.values.begin() + static_cast<std::ptrdiff_t>(3 * node);
-    vectors.values.insert(vectors.values.end(), first, first + 3);
+    values.insert(values.end(), first, first + 3);
   }
-  return vectors;
+  return {std::make_shared<const std::vector<std::int64_t>>(std::move(nodes)), std::move(values)};
 }
 
 std::vector<Array> packet_header(std::int64_t step) {

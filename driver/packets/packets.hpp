@@ -3,15 +3,20 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace tanktread::driver {
 
+/// Nodes of the grid by their linear indices, x fastest, ascending. A list is never changed: packets on the
+/// same nodes share it.
+using NodeList = std::shared_ptr<const std::vector<std::int64_t>>;
+
 /// Vectors on some nodes of the grid.
 struct GridVectors {
-  std::vector<std::int64_t> nodes;  ///< linear indices, x fastest, ascending
-  std::vector<double> values;       ///< 3 a node listed, component fastest
+  NodeList nodes = std::make_shared<const std::vector<std::int64_t>>();
+  std::vector<double> values;  ///< 3 a node listed, component fastest
 };
 
 /// A vector on each node of each capsule: a 3 x n matrix a capsule.

@@ -1,5 +1,5 @@
 // The phases of a step, each a function from packet to packet. The run and the single stages call the same
-// ones.
+// ones. A run gives them packets that it no longer needs, as `memory`: what they return is written there.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ class LongMove : public std::runtime_error {
 };
 
 /// 1. fluid: the velocity u(t) on the nodes listed (Eq. 2.46).
-GridVectors grid_velocity(const fluid::Fluid& fluid, std::span<const std::int64_t> nodes);
+GridVectors grid_velocity(const fluid::Fluid& fluid, NodeList nodes, GridVectors memory = {});
 
 /// Builds the stencils of the capsules at their positions: for the spread there, and for the interpolation of
 /// the next step. @throws coupler::StencilError
@@ -44,7 +44,7 @@ NodeVectors velocity_of_nodes(const coupler::Coupler& coupler, const NodeCorrect
 /// @param positions x(t), for their number
 /// @throws std::invalid_argument if a node that a stencil touches is missing
 NodeVectors interpolated_velocity(const coupler::Coupler& coupler, const GridVectors& velocity,
-                                  const NodeVectors& positions);
+                                  const NodeVectors& positions, NodeVectors memory = {});
 
 /// The second part of 2.: adds what a kernel takes off the velocity along the surfaces (docs/kernels.md) if
 /// that is to be given back; then, if it is to be kept, the volume of each surface is that of x(t) after the
@@ -56,21 +56,22 @@ void correct_velocity(const coupler::Coupler& coupler, const NodeCorrections& co
                       const Surfaces& surfaces, const NodeVectors& force, NodeVectors& velocity);
 
 /// 3. membrane: positions x(t+1) = x(t) + u_m(t) (Eq. 2.19). @throws LongMove, also for not a number
-NodeVectors move_nodes(const NodeVectors& positions, const NodeVectors& velocity);
+NodeVectors move_nodes(const NodeVectors& positions, const NodeVectors& velocity, int threads = 1,
+                       NodeVectors memory = {});
 
 /// 4. membrane: takes the positions x(t+1); strain, stress with its history, total nodal forces F_m(t+1).
 /// @param velocity u_m(t), which moved the nodes there
 /// @param step of the positions, t+1
 /// @throws membrane::InvertedElement; RunError if a program in the place of a membrane gives no forces
 NodeVectors nodal_forces(std::vector<CapsuleMembrane>& membranes, const NodeVectors& positions,
-                         const NodeVectors& velocity, std::int64_t step);
+                         const NodeVectors& velocity, std::int64_t step, NodeVectors memory = {});
 
 /// 5. coupler: stencils at x(t+1), and the grid force F(t+1) spread with them (Eq. 2.1): build_stencils(),
 /// then spread_force(). @throws coupler::StencilError
 GridVectors spread(coupler::Coupler& coupler, const NodeVectors& positions, const NodeVectors& force);
 
 /// The second part of 5., with the stencils as they are.
-GridVectors spread_force(const coupler::Coupler& coupler, const NodeVectors& force);
+GridVectors spread_force(const coupler::Coupler& coupler, const NodeVectors& force, GridVectors memory = {});
 
 /// 6. fluid: streams to t+1 and collides under F(t+1): set_force(), then the fluid's step.
 /// @return the highest speed. @throws fluid::Breakdown
@@ -81,5 +82,8 @@ void set_force(fluid::Fluid& fluid, const GridVectors& force);
 
 /// The positions of all membranes.
 NodeVectors positions_of(const std::vector<CapsuleMembrane>& membranes);
+
+/// Positions and triangles of all membranes. @param memory the surfaces of the same membranes before, or none
+Surfaces surfaces_now(const std::vector<CapsuleMembrane>& membranes, int threads, Surfaces memory);
 
 }  // namespace tanktread::driver

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "coupler/volume.hpp"
+#include "driver/system/node_ranges.hpp"
 #include "driver/system/phases.hpp"
 
 namespace tanktread::driver {
@@ -19,13 +20,13 @@ std::vector<std::span<const double>> views(const NodeVectors& vectors) {
 std::vector<double> picked(const GridVectors& vectors, std::span<const std::int64_t> nodes) {
   std::vector<double> values;
   values.reserve(3 * nodes.size());
-  auto found = vectors.nodes.begin();
+  auto found = vectors.nodes->begin();
   for (const auto node : nodes) {
-    found = std::lower_bound(found, vectors.nodes.end(), node);
-    if (found == vectors.nodes.end() || *found != node) {
+    found = std::lower_bound(found, vectors.nodes->end(), node);
+    if (found == vectors.nodes->end() || *found != node) {
       throw std::invalid_argument(fmt::format("no velocity on grid node {}, which a stencil touches", node));
     }
-    const auto first = vectors.values.begin() + 3 * (found - vectors.nodes.begin());
+    const auto first = vectors.values.begin() + 3 * (found - vectors.nodes->begin());
     values.insert(values.end(), first, first + 3);
   }
   return values;
@@ -70,15 +71,16 @@ NodeVectors velocity_of_nodes(const coupler::Coupler& coupler, const NodeCorrect
 }
 
 NodeVectors interpolated_velocity(const coupler::Coupler& coupler, const GridVectors& velocity,
-                                  const NodeVectors& positions) {
-  NodeVectors result = zero_like(positions);
-  const auto targets = targets_of(result);
-  if (std::ranges::equal(velocity.nodes, coupler.grid_nodes())) {
+                                  const NodeVectors& positions, NodeVectors memory) {
+  resize_like(positions, memory);
+  const auto targets = targets_of(memory);
+  const auto nodes = coupler.grid_node_list();
+  if (velocity.nodes == nodes || *velocity.nodes == *nodes) {
     coupler.interpolate(velocity.values, targets);
   } else {
-    coupler.interpolate(picked(velocity, coupler.grid_nodes()), targets);
+    coupler.interpolate(picked(velocity, *nodes), targets);
   }
-  return result;
+  return memory;
 }
 
 void correct_velocity(const coupler::Coupler& coupler, const NodeCorrections& corrections,
@@ -96,11 +98,11 @@ GridVectors spread(coupler::Coupler& coupler, const NodeVectors& positions, cons
   return spread_force(coupler, force);
 }
 
-GridVectors spread_force(const coupler::Coupler& coupler, const NodeVectors& force) {
-  const auto nodes = coupler.grid_nodes();
-  GridVectors result{{nodes.begin(), nodes.end()}, std::vector<double>(3 * nodes.size())};
-  coupler.spread(views(force), result.values);
-  return result;
+GridVectors spread_force(const coupler::Coupler& coupler, const NodeVectors& force, GridVectors memory) {
+  memory.nodes = coupler.grid_node_list();
+  memory.values.resize(3 * memory.nodes->size());
+  coupler.spread(views(force), memory.values);
+  return memory;
 }
 
 }  // namespace tanktread::driver

@@ -1,11 +1,13 @@
+#include <utility>
+
 #include "driver/system/phases.hpp"
 
 namespace tanktread::driver {
 
-GridVectors grid_velocity(const fluid::Fluid& fluid, std::span<const std::int64_t> nodes) {
-  GridVectors velocity{{nodes.begin(), nodes.end()}, std::vector<double>(3 * nodes.size())};
-  fluid.velocity(nodes, velocity.values);
-  return velocity;
+GridVectors grid_velocity(const fluid::Fluid& fluid, NodeList nodes, GridVectors memory) {
+  memory.values.resize(3 * nodes->size());
+  fluid.velocity(*nodes, memory.values);
+  return {std::move(nodes), std::move(memory.values)};
 }
 
 double advance_fluid(fluid::Fluid& fluid, const GridVectors& force) {
@@ -15,7 +17,7 @@ double advance_fluid(fluid::Fluid& fluid, const GridVectors& force) {
 
 void set_force(fluid::Fluid& fluid, const GridVectors& force) {
   fluid.clear_force();
-  fluid.add_force(force.nodes, force.values);
+  fluid.add_force(*force.nodes, force.values);
 }
 
 }  // namespace tanktread::driver

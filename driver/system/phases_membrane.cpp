@@ -1,29 +1,54 @@
 #include <fmt/format.h>
 
+#include <atomic>
+#include <utility>
+
+#include "driver/system/membrane_files.hpp"
+#include "driver/system/node_ranges.hpp"
 #include "driver/system/phases.hpp"
 
 namespace tanktread::driver {
+namespace {
 
-NodeVectors move_nodes(const NodeVectors& positions, const NodeVectors& velocity) {
-  NodeVectors moved;
-  for (std::size_t k = 0; k < positions.size(); ++k) {
-    for (Eigen::Index node = 0; node < velocity[k].cols(); ++node) {
-      const double move = velocity[k].col(node).norm();
-      if (move <= longest_move) continue;  // so that not a number does not pass
-      const Eigen::Vector3d at = positions[k].col(node);
-      throw LongMove(fmt::format(
-          "node {} of capsule {} at ({:.6g}, {:.6g}, {:.6g}) would move by {:.6g} grid steps; at most "
-          "{} are allowed",
-          node, k, at[0], at[1], at[2], move, longest_move));
+/// Not a number does not pass.
+bool moves_too_far(const Eigen::Vector3d& velocity) {
+  return !(velocity.norm() <= longest_move);
+}
+
+[[noreturn]] void refuse_move(std::size_t capsule, Eigen::Index node, const Eigen::Vector3d& at,
+                              const Eigen::Vector3d& velocity) {
+  throw LongMove(fmt::format(
+      "node {} of capsule {} at ({:.6g}, {:.6g}, {:.6g}) would move by {:.6g} grid steps; at most {} are "
+      "allowed",
+      node, capsule, at[0], at[1], at[2], velocity.norm(), longest_move));
+}
+
+}  // namespace
+
+NodeVectors move_nodes(const NodeVectors& positions, const NodeVectors& velocity, int threads,
+                       NodeVectors memory) {
+  resize_like(positions, memory);
+  std::atomic<bool> too_far = false;
+  share_out_nodes(positions, threads, [&](std::size_t k, Eigen::Index begin, Eigen::Index end) {
+    for (Eigen::Index node = begin; node < end; ++node) {
+      memory[k].col(node) = positions[k].col(node) + velocity[k].col(node);
+      if (moves_too_far(velocity[k].col(node))) too_far = true;
     }
-    moved.emplace_back(positions[k] + velocity[k]);
+  });
+  if (!too_far) return memory;
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    for (Eigen::Index node = 0; node < positions[k].cols(); ++node) {
+      if (moves_too_far(velocity[k].col(node)))
+        refuse_move(k, node, positions[k].col(node), velocity[k].col(node));
+    }
   }
-  return moved;
+  return memory;
 }
 
 NodeVectors nodal_forces(std::vector<CapsuleMembrane>& membranes, const NodeVectors& positions,
-                         const NodeVectors& velocity, std::int64_t step) {
-  NodeVectors forces(membranes.size());
+                         const NodeVectors& velocity, std::int64_t step, NodeVectors memory) {
+  NodeVectors forces = std::move(memory);
+  forces.resize(membranes.size());
   std::vector<membrane::MembraneStep> steps;
   for (std::size_t k = 0; k < membranes.size(); ++k)
     steps.push_back(membranes[k].step_to(positions[k], forces[k]));
@@ -37,6 +62,15 @@ NodeVectors positions_of(const std::vector<CapsuleMembrane>& membranes) {
   NodeVectors positions;
   for (const auto& membrane : membranes) positions.push_back(membrane.positions());
   return positions;
+}
+
+Surfaces surfaces_now(const std::vector<CapsuleMembrane>& membranes, int threads, Surfaces memory) {
+  if (memory.triangles.size() != membranes.size()) return surfaces_of(membranes);
+  share_out_nodes(memory.positions, threads, [&](std::size_t k, Eigen::Index begin, Eigen::Index end) {
+    memory.positions[k].middleCols(begin, end - begin) =
+        membranes[k].positions().middleCols(begin, end - begin);
+  });
+  return memory;
 }
 
 }  // namespace tanktread::driver

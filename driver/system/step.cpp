@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <utility>
 
-#include "driver/system/membrane_files.hpp"
 #include "driver/system/phases.hpp"
 
 namespace tanktread::driver {
@@ -35,33 +35,42 @@ void advance_phases(System& system, Passage& passage) {
   auto& coupler = *system.coupler;
   auto& seconds = system.seconds;
 
+  auto& [velocity, force, before, positions] = system.packets;
+  const int threads = system.threads;
+
   // 1. u(t) on the grid nodes that the stencils at x(t) touch.
-  auto velocity = timed(seconds.forced_nodes, [&] { return grid_velocity(fluid, coupler.grid_nodes()); });
+  velocity = timed(seconds.forced_nodes,
+                   [&] { return grid_velocity(fluid, coupler.grid_node_list(), std::move(velocity)); });
   passage.pass(system, Packet::grid_velocity, velocity);
 
   // 2. u_m(t), with the stencils at x(t) (and F_m(t), for the tangential correction).
-  const auto before = surfaces_of(system.membranes);
-  system.node_velocity = timed(seconds.interpolation,
-                               [&] { return interpolated_velocity(coupler, velocity, before.positions); });
+  before =
+      timed(seconds.membranes, [&] { return surfaces_now(system.membranes, threads, std::move(before)); });
+  system.node_velocity = timed(seconds.interpolation, [&] {
+    return interpolated_velocity(coupler, velocity, before.positions, std::move(system.node_velocity));
+  });
   timed(seconds.correction, [&] {
     correct_velocity(coupler, system.corrections, before, system.node_force, system.node_velocity);
   });
   passage.pass(system, Packet::node_velocity, system.node_velocity);
 
   // 3. x(t+1).
-  auto positions =
-      timed(seconds.membranes, [&] { return move_nodes(before.positions, system.node_velocity); });
+  positions = timed(seconds.membranes, [&] {
+    return move_nodes(before.positions, system.node_velocity, threads, std::move(positions));
+  });
   passage.pass(system, Packet::positions, positions);
 
   // 4. Strain and stress at x(t+1), F_m(t+1).
   system.node_force = timed(seconds.membranes, [&] {
-    return nodal_forces(system.membranes, positions, system.node_velocity, system.step + 1);
+    return nodal_forces(system.membranes, positions, system.node_velocity, system.step + 1,
+                        std::move(system.node_force));
   });
   passage.pass(system, Packet::node_force, system.node_force);
 
   // 5. Stencils at x(t+1), F(t+1).
   timed(seconds.stencils, [&] { build_stencils(coupler, positions); });
-  auto force = timed(seconds.spreading, [&] { return spread_force(coupler, system.node_force); });
+  force =
+      timed(seconds.spreading, [&] { return spread_force(coupler, system.node_force, std::move(force)); });
   passage.pass(system, Packet::grid_force, force);
 
   // 6. The fluid goes to t+1 under F(t+1).

@@ -1,6 +1,7 @@
 #include "driver/system/system.hpp"
 
 #include <fmt/format.h>
+#include <omp.h>
 
 #include "driver/system/components.hpp"
 #include "driver/system/phases.hpp"
@@ -11,6 +12,7 @@ System make_system(const Case& the_case, const Parameters& parameters,
                    const std::vector<membrane::TriangleMesh>& meshes) {
   System system;
   system.shear_rate = parameters.shear_rate;
+  system.threads = the_case.run.threads > 0 ? the_case.run.threads : omp_get_max_threads();
   system.fluid = make_fluid(the_case, parameters);
   system.coupler = make_coupler(the_case);
   system.corrections = make_node_corrections(the_case, *system.coupler);

@@ -24,6 +24,14 @@ struct StepSeconds {
   double membranes = 0;   ///< moving the nodes, strain, stress, nodal forces
 };
 
+/// Packets of the step before, whose memory the next step writes to: fresh memory costs more than what is
+/// written there.
+struct StepPackets {
+  GridVectors grid_velocity, grid_force;
+  Surfaces before;
+  NodeVectors positions;
+};
+
 /// A case at work. Between two steps it stands at time t = `step`: positions x(t), populations after the
 /// collision of t with the grid force F(t), stencils at x(t). Node velocities and forces are those of the
 /// last step, for output.
@@ -39,6 +47,8 @@ struct System {
   NodeVectors node_force;     ///< the total force at x(t)
   double highest_speed = 0;   ///< of the fluid, in the last step
   StepSeconds seconds;
+  int threads = 1;      ///< OpenMP threads
+  StepPackets packets;  ///< for their memory; a step does not go on from what is in there
 
   double shear_time() const { return static_cast<double>(step) * shear_rate; }
 };
