@@ -7,6 +7,7 @@ namespace tanktread::coupler {
 GridMarks::GridMarks(const Grid& grid)
     : nodes_per_row_(grid.nodes[0]),
       words_per_row_((grid.nodes[0] + 63) / 64),
+      n_rows_(grid.nodes[1]),
       row_marked_(std::size_t{1} * grid.nodes[1] * grid.nodes[2], 0),
       words_(row_marked_.size() * words_per_row_) {}
 

@@ -37,12 +37,21 @@ class GridMarks {
     std::uint64_t low, high;  ///< bits of that word and of the next
   };
 
-  /// Adds a run of a row; it must not leave the row.
-  void mark(std::int64_t row, const Run& run) {
-    row_marked_[row] = 1;
-    Word* words = &words_[row * words_per_row_ + run.word];
-    words[0].bits |= run.low;
-    if (run.high != 0) words[1].bits |= run.high;
+  /// Adds a run to each of `width` rows of the plane z, y = first_y and on, behind the last again 0; it must
+  /// not leave the row.
+  template <int width>
+  void mark(int z, int first_y, const Run& run) {
+    const std::int64_t row = rows_before(z) + first_y;
+    Word* word = &words_[row * words_per_row_ + run.word];
+    std::uint8_t* marked = &row_marked_[row];
+#pragma GCC unroll 8
+    for (int k = 0; k < width; ++k) {
+      if (first_y + k == n_rows_) word -= n_rows_ * words_per_row_, marked -= n_rows_;
+      marked[k] = 1;
+      word->bits |= run.low;
+      if (run.high != 0) word[1].bits |= run.high;
+      word += words_per_row_;
+    }
   }
 
   /// The number of members in these rows.
@@ -53,17 +62,24 @@ class GridMarks {
   /// @param nodes where the first of them is listed
   void number(Rows rows, std::int64_t before, std::int64_t* nodes);
 
-  /// The node x of any row, made ready for number_of.
+  /// The node x of any row, made ready for numbers_of.
   struct Place {
     explicit Place(int x) : word(x / 64), below((std::uint64_t{1} << (x % 64)) - 1) {}
     std::int64_t word;    ///< within the row
     std::uint64_t below;  ///< bits of that word for the nodes before x
   };
 
-  /// The number of a member. Valid between number() and the next change of its row.
-  std::int32_t number_of(std::int64_t row, const Place& place) const {
-    const Word& word = words_[row * words_per_row_ + place.word];
-    return word.before + std::popcount(word.bits & place.below);
+  /// The numbers of a member in each of `width` rows, as of mark(). Valid between number() and the next
+  /// change of the rows.
+  template <int width>
+  void numbers_of(int z, int first_y, const Place& place, std::int32_t* numbers) const {
+    const Word* word = &words_[(rows_before(z) + first_y) * words_per_row_ + place.word];
+#pragma GCC unroll 8
+    for (int k = 0; k < width; ++k) {
+      if (first_y + k == n_rows_) word -= n_rows_ * words_per_row_;
+      numbers[k] = word->before + std::popcount(word->bits & place.below);
+      word += words_per_row_;
+    }
   }
 
  private:
@@ -73,7 +89,12 @@ class GridMarks {
     std::int32_t before = 0;
   };
 
+  std::int64_t rows_before(int z) const {
+    return std::int64_t{z} * n_rows_;
+  }
+
   std::int64_t nodes_per_row_, words_per_row_;
+  int n_rows_;  ///< of a plane
   std::vector<std::uint8_t> row_marked_;
   std::vector<Word> words_;  // words_per_row_ a row
 };

@@ -26,26 +26,10 @@ class NodeStencil {
 
   /// What the node takes from a grid array: sum_f delta(x_f - x_m) u_f, 3 numbers.
   __attribute__((always_inline)) void take(const double* grid, double* result) const {
+    if (across_run_ != nullptr) return take_across(grid, result);
     Row<length> sum;
-    if (across_run_ == nullptr) {
-      for_rows([&](int row, double weight) { sum.add(weight, at(grid, run_[row])); });
-    } else {
-      for_rows([&](int row, double weight) {
-        double pieces[length];
-        std::copy_n(at(grid, run_[row]), length_before_face_, pieces);
-        std::copy_n(at(grid, across_run_[row]), length - length_before_face_, pieces + length_before_face_);
-        sum.add(weight, pieces);
-      });
-    }
-    double sums[length];
-    sum.store_to(sums);
-#pragma GCC unroll 3
-    for (int component = 0; component < 3; ++component) {
-      double total = 0.0;
-#pragma GCC unroll 8
-      for (int kx = 0; kx < width; ++kx) total += x_[kx] * sums[3 * kx + component];
-      result[component] = total;
-    }
+    for_rows([&](int row, double weight) { sum.add(weight, at(grid, run_[row])); });
+    add_along_x(sum, result);
   }
 
   /// Adds delta(x_f - x_m) F to the grid nodes in the planes z of which has_plane(z).
@@ -53,17 +37,10 @@ class NodeStencil {
   template <class HasPlane>
   __attribute__((always_inline)) void give(const double* force, int first_plane, int n_planes,
                                            const HasPlane& has_plane, double* grid) const {
+    if (across_run_ != nullptr) return give_across(force, first_plane, n_planes, has_plane, grid);
     const Row<length> along_x([&](int k) { return x_[k / 3] * force[k % 3]; });
-    if (across_run_ == nullptr) {
-      for_rows_in_planes(first_plane, n_planes, has_plane,
-                         [&](int row, double weight) { along_x.add_to(weight, at(grid, run_[row])); });
-    } else {
-      double numbers[length];
-      along_x.store_to(numbers);
-      for_rows_in_planes(first_plane, n_planes, has_plane, [&](int row, double weight) {
-        add_in_pieces(weight, numbers, at(grid, run_[row]), at(grid, across_run_[row]));
-      });
-    }
+    for_rows_in_planes(first_plane, n_planes, has_plane,
+                       [&](int row, double weight) { along_x.add_to(weight, at(grid, run_[row])); });
   }
 
  private:
@@ -98,9 +75,41 @@ class NodeStencil {
     }
   }
 
-  void add_in_pieces(double weight, const double* along_x, double* before, double* behind) const {
-    for (int k = 0; k < length_before_face_; ++k) before[k] += weight * along_x[k];
-    for (int k = length_before_face_; k < length; ++k) behind[k - length_before_face_] += weight * along_x[k];
+  __attribute__((always_inline)) void add_along_x(const Row<length>& sum, double* result) const {
+    double sums[length];
+    sum.store_to(sums);
+#pragma GCC unroll 3
+    for (int component = 0; component < 3; ++component) {
+      double total = 0.0;
+#pragma GCC unroll 8
+      for (int kx = 0; kx < width; ++kx) total += x_[kx] * sums[3 * kx + component];
+      result[component] = total;
+    }
+  }
+
+  // Across the face of x, apart from the loops above: there the compiler shall have all registers.
+  __attribute__((noinline)) void take_across(const double* grid, double* result) const {
+    Row<length> sum;
+    for_rows([&](int row, double weight) {
+      double pieces[length];
+      std::copy_n(at(grid, run_[row]), length_before_face_, pieces);
+      std::copy_n(at(grid, across_run_[row]), length - length_before_face_, pieces + length_before_face_);
+      sum.add(weight, pieces);
+    });
+    add_along_x(sum, result);
+  }
+
+  template <class HasPlane>
+  __attribute__((noinline)) void give_across(const double* force, int first_plane, int n_planes,
+                                             const HasPlane& has_plane, double* grid) const {
+    double along_x[length];
+    for (int k = 0; k < length; ++k) along_x[k] = x_[k / 3] * force[k % 3];
+    for_rows_in_planes(first_plane, n_planes, has_plane, [&](int row, double weight) {
+      double *before = at(grid, run_[row]), *behind = at(grid, across_run_[row]);
+      for (int k = 0; k < length_before_face_; ++k) before[k] += weight * along_x[k];
+      for (int k = length_before_face_; k < length; ++k)
+        behind[k - length_before_face_] += weight * along_x[k];
+    });
   }
 
   const double *x_, *y_, *z_;                 ///< weights along each axis

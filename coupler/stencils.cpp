@@ -16,14 +16,6 @@ int index_of(int first, int k, int nodes) {
   return index < nodes ? index : index - nodes;
 }
 
-/// Rows within a plane: those of a stencil, in the order of its y.
-template <int width>
-std::array<int, width> rows_in_plane(int first, int ny) {
-  std::array<int, width> rows;
-  for (int ky = 0; ky < width; ++ky) rows[ky] = index_of(first, ky, ny);
-  return rows;
-}
-
 /// Calls visit(share) once for each share of the grid that has planes of a stencil.
 template <class Visit>
 void visit_shares(const std::vector<int>& share_of_plane, int first_plane, int width, const Visit& visit) {
@@ -195,20 +187,16 @@ void StencilBuilder::mark(Stencils& stencils) {
 
 template <int width>
 void StencilBuilder::mark_share(const Stencils& stencils, const GridShare& share) {
-  const int nx = grid_.nodes[0], ny = grid_.nodes[1], nz = grid_.nodes[2];
+  const int nx = grid_.nodes[0], nz = grid_.nodes[2];
   for (std::size_t k = share.first_node; k < share.last_node; ++k) {
     const auto& first = stencils.first[stencils.share_nodes[k]];
-    const auto rows = rows_in_plane<width>(first[1], ny);
     const int before_face = std::min(width, nx - first[0]);
     const GridMarks::Run run(first[0], before_face);
     for (int kz = 0; kz < width; ++kz) {
       const int z = index_of(first[2], kz, nz);
       if (!share.has_plane(z)) continue;
-      const std::int64_t plane = std::int64_t{z} * ny;
-      for (const int row : rows) marks_.mark(plane + row, run);
-      if (before_face == width) continue;
-      const GridMarks::Run across(0, width - before_face);
-      for (const int row : rows) marks_.mark(plane + row, across);
+      marks_.mark<width>(z, first[1], run);
+      if (before_face < width) marks_.mark<width>(z, first[1], GridMarks::Run(0, width - before_face));
     }
   }
 }
@@ -231,17 +219,14 @@ void StencilBuilder::number(Stencils& stencils) {
 template <int width>
 void StencilBuilder::find_runs(int part, Stencils& stencils) const {
   const NodeRange range(stencils.n_nodes(), part, n_shares_);
-  const int nx = grid_.nodes[0], ny = grid_.nodes[1], nz = grid_.nodes[2];
+  const int nx = grid_.nodes[0], nz = grid_.nodes[2];
   std::int32_t next_across = counts_[part].across;
   for (std::size_t m = range.begin; m < range.end; ++m) {
     const auto& first = stencils.first[m];
-    const auto rows = rows_in_plane<width>(first[1], ny);
     const auto list_numbers = [&](int x, std::int32_t* numbers) {
       const GridMarks::Place place(x);
-      for (int kz = 0; kz < width; ++kz) {
-        const std::int64_t plane = std::int64_t{index_of(first[2], kz, nz)} * ny;
-        for (const int row : rows) *numbers++ = marks_.number_of(plane + row, place);
-      }
+      for (int kz = 0; kz < width; ++kz)
+        marks_.numbers_of<width>(index_of(first[2], kz, nz), first[1], place, numbers + kz * width);
     };
     list_numbers(first[0], &stencils.run[m * width * width]);
     stencils.across[m] = first[0] + width > nx ? next_across++ : -1;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "unit/membrane_viscous_support.hpp"
 
@@ -13,10 +14,15 @@ namespace {
 
 using namespace test;
 
-/// Elastic and viscous membranes by turns, of different sizes: none, part or much of a block of elements.
+/// Different sizes: part of a block of elements, and many. One of them has most elements.
+const std::vector<int> different_levels = {1, 2, 0, 3};
+/// So many membranes that each thread takes whole ones.
+const std::vector<int> many_levels(40, 1);
+
+/// Elastic and viscous membranes by turns.
 struct Membranes {
-  explicit Membranes(int threads) {
-    for (const int level : {1, 2, 0, 3}) meshes.push_back(icosphere(level, 5));
+  explicit Membranes(int threads, const std::vector<int>& levels = different_levels) {
+    for (const int level : levels) meshes.push_back(icosphere(level, 5));
     for (std::size_t k = 0; k < meshes.size(); ++k) {
       if (k % 2 == 0) {
         all.emplace_back(meshes[k], skalak(), threads);
@@ -53,19 +59,21 @@ struct Membranes {
 };
 
 TEST(MembraneStep, OfManyIsThatOfEachToTheLastBit) {
-  for (const int threads : {1, 2, 3, 16}) {
-    Membranes together(threads), alone(1);
-    for (int step = 1; step <= 3; ++step) {
-      together.advance_to(step);
-      for (std::size_t k = 0; k < alone.all.size(); ++k) {
-        Eigen::Matrix3Xd force = Eigen::Matrix3Xd::Zero(3, alone.all[k].n_nodes());
-        alone.all[k].set_positions(moved(alone.meshes[k], step));
-        alone.all[k].add_forces(force);
-        EXPECT_TRUE(same_bits(together.forces[k], force))
-            << "membrane " << k << ", " << threads << " threads";
-        EXPECT_TRUE(same_bits(together.all[k].positions(), alone.all[k].positions())) << k;
+  for (const auto& levels : {different_levels, many_levels}) {
+    for (const int threads : {1, 2, 3, 16}) {
+      Membranes together(threads, levels), alone(1, levels);
+      for (int step = 1; step <= 3; ++step) {
+        together.advance_to(step);
+        for (std::size_t k = 0; k < alone.all.size(); ++k) {
+          Eigen::Matrix3Xd force = Eigen::Matrix3Xd::Zero(3, alone.all[k].n_nodes());
+          alone.all[k].set_positions(moved(alone.meshes[k], step));
+          alone.all[k].add_forces(force);
+          EXPECT_TRUE(same_bits(together.forces[k], force))
+              << "membrane " << k << ", " << threads << " threads";
+          EXPECT_TRUE(same_bits(together.all[k].positions(), alone.all[k].positions())) << k;
+        }
+        EXPECT_EQ(together.histories(), alone.histories());
       }
-      EXPECT_EQ(together.histories(), alone.histories());
     }
   }
 }
@@ -82,27 +90,29 @@ TEST(MembraneStep, WithoutAForceIsTheCheckOfTheElements) {
 }
 
 TEST(MembraneStep, WithABadElementLeavesAllHistoriesAndNamesTheFirst) {
-  for (const std::size_t inverted : {1, 3}) {
-    Membranes membranes(3), alone(1);
-    membranes.advance_to(1);
-    const auto histories = membranes.histories();
-    membranes.inverted_membrane = inverted;
-    std::string message, expected;
-    try {
-      membranes.advance_to(2);
-    } catch (const InvertedElement& error) {
-      message = error.what();
+  for (const auto& levels : {different_levels, many_levels}) {
+    for (const std::size_t inverted : {1, 3}) {
+      Membranes membranes(3, levels), alone(1, levels);
+      membranes.advance_to(1);
+      const auto histories = membranes.histories();
+      membranes.inverted_membrane = inverted;
+      std::string message, expected;
+      try {
+        membranes.advance_to(2);
+      } catch (const InvertedElement& error) {
+        message = error.what();
+      }
+      alone.advance_to(1);
+      alone.all[inverted].set_positions(membranes.positions[inverted]);
+      try {
+        alone.all[inverted].check_elements();
+      } catch (const InvertedElement& error) {
+        expected = error.what();
+      }
+      EXPECT_THAT(message, testing::HasSubstr("membrane element "));
+      EXPECT_EQ(message, expected);
+      EXPECT_EQ(membranes.histories(), histories);
     }
-    alone.advance_to(1);
-    alone.all[inverted].set_positions(membranes.positions[inverted]);
-    try {
-      alone.all[inverted].check_elements();
-    } catch (const InvertedElement& error) {
-      expected = error.what();
-    }
-    EXPECT_THAT(message, testing::HasSubstr("membrane element "));
-    EXPECT_EQ(message, expected);
-    EXPECT_EQ(membranes.histories(), histories);
   }
 }
 
