@@ -43,6 +43,14 @@ void for_width(int width, const Function& function) {
   static_assert(max_width == 6);
 }
 
+/// The weights of n coordinates, `width_of(kernel)` each, from the distances of their lowest nodes on.
+inline void weights_of(const Kernel& kernel, int n, const double* first_distances, double* weights) {
+  if (kernel.weights) return kernel.weights(n, first_distances, weights);
+  for (int k = 0, width = width_of(kernel); k < n; ++k) {
+    for (int point = 0; point < width; ++point) *weights++ = kernel.function(first_distances[k] + point);
+  }
+}
+
 /// What became of a coordinate.
 enum class Fit { inside, beyond_wall, not_finite, too_far };
 
@@ -52,23 +60,26 @@ class AxisStencil {
   AxisStencil(int nodes, bool periodic, const Kernel& kernel)
       : nodes_(nodes), periodic_(periodic), width_(width_of(kernel)), kernel_(kernel) {}
 
-  /// Finds the `width` grid nodes first, first + 1, ... (modulo the period) within the kernel's reach.
-  /// @param first    the lowest of them, 0 <= first < nodes; without a period first + width <= nodes as well
-  /// @param weights  `width` numbers, phi(node - position)
-  /// @return anything but `inside`: first and weights are of no use
-  Fit fit(double position, int& first, double* weights) const {
-    if (!std::isfinite(position)) return Fit::not_finite;
-    if (std::abs(position) > farthest_coordinate) return Fit::too_far;
+  /// The lowest grid node within the kernel's reach, any whole number, and its distance from the position.
+  struct Lowest {
+    double node, distance;
+  };
+  Lowest lowest(double position) const {
     const double from_first_node = position - 0.5;
     // The lowest node whose distance is less than the half-width. The highest then is at most at the
     // half-width, where the kernel vanishes.
-    const double lowest = std::floor(from_first_node - kernel_.half_width) + 1.0;
-    const double first_distance = lowest - from_first_node;
-    if (kernel_.weights) {
-      kernel_.weights(first_distance, weights);
-    } else {
-      for (int k = 0; k < width_; ++k) weights[k] = kernel_.function(first_distance + k);
-    }
+    const double node = std::floor(from_first_node - kernel_.half_width) + 1.0;
+    return {node, node - from_first_node};
+  }
+
+  /// Finds the `width` grid nodes first, first + 1, ... (modulo the period) within the kernel's reach.
+  /// @param lowest   the grid node of lowest(position)
+  /// @param first    the lowest of them, 0 <= first < nodes; without a period first + width <= nodes as well
+  /// @param weights  `width` numbers, phi(node - position) from the lowest node on; perhaps shifted
+  /// @return anything but `inside`: first and weights are of no use
+  Fit fit(double position, double lowest, int& first, double* weights) const {
+    if (!std::isfinite(position)) return Fit::not_finite;
+    if (std::abs(position) > farthest_coordinate) return Fit::too_far;
     std::int64_t index = static_cast<std::int64_t>(lowest);
     if (periodic_) {
       first = wrapped(index);

@@ -29,9 +29,10 @@ struct Kernel {
   /// (docs/kernels.md): it is on by default.
   bool gains_by_correction;
   double (*function)(double distance);  ///< phi(r), even in r
-  /// phi at first_distance, first_distance + 1, ... (ceil(2 half_width) points), where that is cheaper than
-  /// one by one; null: `function` is called for each.
-  void (*weights)(double first_distance, double* weights);
+  /// For each of n coordinates phi at first_distance, first_distance + 1, ... (ceil(2 half_width) points, in
+  /// `weights` one coordinate after the other), where that is cheaper than one by one; null: `function` is
+  /// called for each.
+  void (*weights)(int n, const double* first_distances, double* weights);
 };
 
 /// All kernels, the default (stockie6) first: stockie6, peskin4, cosine4 (Eq. 2.2), roma3, linear2.

@@ -16,13 +16,15 @@ double cosine4(double distance) {
 }
 
 /// The four points of cosine4 are a quarter turn apart: one cosine and one sine serve them all.
-void cosine4_weights(double first_distance, double* weights) {
-  const double angle = 0.5 * std::numbers::pi * first_distance;
-  const double cosine = 0.25 * std::cos(angle), sine = 0.25 * std::sin(angle);
-  weights[0] = 0.25 + cosine;
-  weights[1] = 0.25 - sine;
-  weights[2] = 0.25 - cosine;
-  weights[3] = 0.25 + sine;
+void cosine4_weights(int n, const double* first_distances, double* weights) {
+  for (int k = 0; k < n; ++k, weights += 4) {
+    const double angle = 0.5 * std::numbers::pi * first_distances[k];
+    const double cosine = 0.25 * std::cos(angle), sine = 0.25 * std::sin(angle);
+    weights[0] = 0.25 + cosine;
+    weights[1] = 0.25 - sine;
+    weights[2] = 0.25 - cosine;
+    weights[3] = 0.25 + sine;
+  }
 }
 
 /// The three-point function (Roma, Peskin and Berger 1999, doi:10.1006/jcph.1999.6293).
@@ -52,7 +54,7 @@ double linear2(double distance) {
 /// Columbia; as in Bao, Kaye and Peskin 2016, doi:10.1016/j.jcp.2016.04.024, with K = 0). Its conditions at
 /// the six points of a phase r in (0, 1], the lowest at distance r - 3, leave a quadratic equation for the
 /// lowest weight.
-void stockie6_weights(double first_distance, double* weights) {
+inline void stockie6_points(double first_distance, double (&points)[6]) {
   const double r = first_distance + 3.0, r2 = r * r, r3 = r * r2;
   // Written so that all is exact at r = 1, where the last weight must be 0: there a node may just not reach a
   // wall.
@@ -61,12 +63,29 @@ void stockie6_weights(double first_distance, double* weights) {
   // (-b + sqrt(b^2 - 112 g))/56, without the difference of two nearly equal numbers.
   const double lowest = -2.0 * g / (b + std::sqrt(b * b - 112.0 * g));
   const double even = (r2 - 0.5) / 8.0, odd = (r3 - r) / 12.0;
-  weights[0] = lowest;
-  weights[1] = -3.0 * lowest + even + odd;
-  weights[2] = 2.0 * lowest + 0.25 + (4.0 * r - r3) / 6.0;
-  weights[3] = 2.0 * lowest + 0.625 - 0.25 * r2;
-  weights[4] = -3.0 * lowest + 0.25 - (4.0 * r - r3) / 6.0;
-  weights[5] = lowest + even - odd;
+  points[0] = lowest;
+  points[1] = -3.0 * lowest + even + odd;
+  points[2] = 2.0 * lowest + 0.25 + (4.0 * r - r3) / 6.0;
+  points[3] = 2.0 * lowest + 0.625 - 0.25 * r2;
+  points[4] = -3.0 * lowest + 0.25 - (4.0 * r - r3) / 6.0;
+  points[5] = lowest + even - odd;
+}
+
+/// In blocks, point by point of all coordinates, which the compiler turns into vectors.
+void stockie6_weights(int n, const double* first_distances, double* weights) {
+  constexpr int block = 64;
+  double points[6][block];
+  for (int begin = 0; begin < n; begin += block) {
+    const int size = std::min(block, n - begin);
+    for (int k = 0; k < size; ++k) {
+      double of_one[6];
+      stockie6_points(first_distances[begin + k], of_one);
+      for (int point = 0; point < 6; ++point) points[point][k] = of_one[point];
+    }
+    for (int k = 0; k < size; ++k) {
+      for (int point = 0; point < 6; ++point) *weights++ = points[point][k];
+    }
+  }
 }
 
 double stockie6(double distance) {
@@ -74,9 +93,9 @@ double stockie6(double distance) {
   if (r >= 3.0) return 0.0;
   // The point at -r is one of the six of its phase: the lowest for r >= 2 and so on.
   const int point = r >= 2.0 ? 0 : r >= 1.0 ? 1 : 2;
-  double weights[6];
-  stockie6_weights(-r - point, weights);
-  return weights[point];
+  double points[6];
+  stockie6_points(-r - point, points);
+  return points[point];
 }
 
 }  // namespace

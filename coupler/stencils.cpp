@@ -8,6 +8,9 @@
 namespace tanktread::coupler {
 namespace {
 
+/// Nodes whose weights are computed in one go.
+constexpr std::size_t weighed_at_once = 64;
+
 constexpr char axis_name[] = {'x', 'y', 'z'};
 
 /// Index of the k-th grid node of a stencil along an axis.
@@ -83,20 +86,11 @@ void StencilBuilder::weigh(std::span<const std::span<const double>> surfaces, St
     counts.first_refused = n;
     const NodeRange range(n, share, n_shares_);
     SurfaceOfNode surface(stencils.first_node);
-    for (std::size_t m = range.begin; m < range.end; ++m) {
-      const double* position = &surfaces[surface.of(m)][3 * surface.node(m)];
-      auto& first = stencils.first[m];
-      bool inside = true;
-      for (int axis = 0; axis < 3; ++axis) {
-        inside &= axes_[axis].fit(position[axis], first[axis], &stencils.weights[(3 * m + axis) * width_]) ==
-                  Fit::inside;
-      }
-      if (!inside) {
-        counts.first_refused = m;
-        break;
-      }
-      ++counts.of_first_plane[first[2]];
-      counts.across += first[0] + width_ > grid_.nodes[0];
+    for (std::size_t begin = range.begin, end; begin < range.end; begin = end) {
+      const std::size_t s = surface.of(begin);
+      end = std::min({range.end, stencils.first_node[s + 1], begin + weighed_at_once});
+      weigh_nodes(&surfaces[s][3 * surface.node(begin)], begin, end, stencils, counts);
+      if (counts.first_refused < n) break;
     }
   }
   for (const Counts& counts : counts_) {
@@ -104,6 +98,32 @@ void StencilBuilder::weigh(std::span<const std::span<const double>> surfaces, St
     SurfaceOfNode surface(stencils.first_node);
     const std::size_t s = surface.of(counts.first_refused), node = surface.node(counts.first_refused);
     refuse(s, node, &surfaces[s][3 * node]);
+  }
+}
+
+// @param positions of the node `begin` and on
+void StencilBuilder::weigh_nodes(const double* positions, std::size_t begin, std::size_t end,
+                                 Stencils& stencils, Counts& counts) const {
+  const int n_coordinates = static_cast<int>(3 * (end - begin));
+  double lowest[3 * weighed_at_once], distances[3 * weighed_at_once];
+  for (int k = 0; k < n_coordinates; ++k) {
+    const auto found = axes_[0].lowest(positions[k]);  // of any axis
+    lowest[k] = found.node;
+    distances[k] = found.distance;
+  }
+  double* weights = &stencils.weights[3 * begin * width_];
+  weights_of(kernel_, n_coordinates, distances, weights);
+  for (std::size_t m = begin; m < end; ++m) {
+    auto& first = stencils.first[m];
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::size_t k = 3 * (m - begin) + axis;
+      if (axes_[axis].fit(positions[k], lowest[k], first[axis], weights + k * width_) == Fit::inside)
+        continue;
+      counts.first_refused = m;
+      return;
+    }
+    ++counts.of_first_plane[first[2]];
+    counts.across += first[0] + width_ > grid_.nodes[0];
   }
 }
 
@@ -244,8 +264,10 @@ void StencilBuilder::refuse(std::size_t surface, std::size_t node, const double*
     const double x = position[axis];
     const double length = grid_.nodes[axis];
     int first = 0;
+    const auto lowest = axes_[axis].lowest(x);
     double weights[max_width];
-    const Fit fit = axes_[axis].fit(x, first, weights);
+    weights_of(kernel_, 1, &lowest.distance, weights);
+    const Fit fit = axes_[axis].fit(x, lowest.node, first, weights);
     if (fit == Fit::inside) continue;
     if (fit == Fit::not_finite) {
       message << axis_name[axis] << " is not finite";

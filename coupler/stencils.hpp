@@ -86,8 +86,18 @@ class StencilBuilder {
   void build(std::span<const std::span<const double>> surfaces, Stencils& stencils);
 
  private:
+  /// What a share of the membrane nodes counts.
+  struct Counts {
+    std::vector<std::size_t> of_first_plane;  ///< nodes whose stencil begins in each plane
+    std::vector<std::size_t> of_share;        ///< nodes that touch each share of the grid
+    std::int32_t across = 0;                  ///< stencils across the periodic face of x
+    std::size_t first_refused = 0;            ///< the first node without a stencil; that after the last: none
+  };
+
   void resize(std::span<const std::span<const double>> surfaces, Stencils& stencils) const;
   void weigh(std::span<const std::span<const double>> surfaces, Stencils& stencils);
+  void weigh_nodes(const double* positions, std::size_t begin, std::size_t end, Stencils& stencils,
+                   Counts& counts) const;
   void cut_grid(Stencils& stencils);
   void list_share_nodes(Stencils& stencils);
   void mark(Stencils& stencils);
@@ -98,14 +108,6 @@ class StencilBuilder {
   void find_runs(int part, Stencils& stencils) const;
   GridMarks::Rows rows_of(const GridShare& share) const;
   [[noreturn]] void refuse(std::size_t surface, std::size_t node, const double* position) const;
-
-  /// What a share of the membrane nodes counts.
-  struct Counts {
-    std::vector<std::size_t> of_first_plane;  ///< nodes whose stencil begins in each plane
-    std::vector<std::size_t> of_share;        ///< nodes that touch each share of the grid
-    std::int32_t across = 0;                  ///< stencils across the periodic face of x
-    std::size_t first_refused = 0;            ///< the first node without a stencil; that after the last: none
-  };
 
   Grid grid_;
   Kernel kernel_;

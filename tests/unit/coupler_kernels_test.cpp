@@ -48,12 +48,17 @@ TEST(CouplerKernels, WeightsAllAtOnceAreThoseOneByOne) {
   for (const auto& kernel : kernels()) {
     if (!kernel.weights) continue;  // called point by point
     ++n_kernels;
-    std::vector<double> weights(static_cast<std::size_t>(std::ceil(2.0 * kernel.half_width)));
-    for (const double s : phases()) {
-      const double first_distance = 1.0 - kernel.half_width - s;
-      kernel.weights(first_distance, weights.data());
-      for (std::size_t k = 0; k < weights.size(); ++k)
-        EXPECT_NEAR(weights[k], kernel.function(first_distance + k), 2 * value_bound) << s << ", " << k;
+    const auto width = static_cast<std::size_t>(std::ceil(2.0 * kernel.half_width));
+    std::vector<double> first_distances;
+    for (const double s : phases()) first_distances.push_back(1.0 - kernel.half_width - s);
+    std::vector<double> weights(width * first_distances.size()), of_one(width);
+    kernel.weights(static_cast<int>(first_distances.size()), first_distances.data(), weights.data());
+    for (std::size_t k = 0; k < first_distances.size(); ++k) {
+      kernel.weights(1, &first_distances[k], of_one.data());
+      for (std::size_t point = 0; point < width; ++point) {
+        EXPECT_NEAR(weights[width * k + point], kernel.function(first_distances[k] + point), 2 * value_bound);
+        EXPECT_EQ(weights[width * k + point], of_one[point]) << "depends on its neighbours";
+      }
     }
   }
   EXPECT_GT(n_kernels, 0);
