@@ -27,9 +27,9 @@ class Row {
   /// Adds weight times the numbers at `source`.
   __attribute__((always_inline)) void add(double weight, const double* source) {
 #pragma GCC unroll 8
-    for (int k = 0; k < n_fours; ++k) fours_[k] += weight * loaded<Four>(source + 4 * k);
+    for (int k = 0; k < n_fours; ++k) add_product(weight, source + 4 * k, fours_[k]);
 #pragma GCC unroll 8
-    for (int k = 0; k < n_twos; ++k) twos_[k] += weight * loaded<Two>(source + 4 * n_fours);
+    for (int k = 0; k < n_twos; ++k) add_product(weight, source + 4 * n_fours, twos_[k]);
 #pragma GCC unroll 8
     for (int k = 0; k < n_ones; ++k) ones_[k] += weight * source[length - 1];
   }
@@ -37,11 +37,9 @@ class Row {
   /// Adds weight times this to the numbers at `target`.
   __attribute__((always_inline)) void add_to(double weight, double* target) const {
 #pragma GCC unroll 8
-    for (int k = 0; k < n_fours; ++k)
-      store(loaded<Four>(target + 4 * k) + weight * fours_[k], target + 4 * k);
+    for (int k = 0; k < n_fours; ++k) add_product_to(weight, fours_[k], target + 4 * k);
 #pragma GCC unroll 8
-    for (int k = 0; k < n_twos; ++k)
-      store(loaded<Two>(target + 4 * n_fours) + weight * twos_[k], target + 4 * n_fours);
+    for (int k = 0; k < n_twos; ++k) add_product_to(weight, twos_[k], target + 4 * n_fours);
 #pragma GCC unroll 8
     for (int k = 0; k < n_ones; ++k) target[length - 1] += weight * ones_[k];
   }
@@ -60,12 +58,20 @@ class Row {
   using Four = double __attribute__((vector_size(32)));
   using Two = double __attribute__((vector_size(16)));
 
-  // By memcpy, for the addresses are those of doubles.
+  // By memcpy, for the addresses are those of doubles; no vector is passed by value, for which there is one
+  // way with AVX and another without.
   template <class Vector>
-  __attribute__((always_inline)) static Vector loaded(const double* address) {
-    Vector vector;
-    std::memcpy(&vector, address, sizeof vector);
-    return vector;
+  __attribute__((always_inline)) static void add_product(double weight, const double* source, Vector& sum) {
+    Vector numbers;
+    std::memcpy(&numbers, source, sizeof numbers);
+    sum += weight * numbers;
+  }
+  template <class Vector>
+  __attribute__((always_inline)) static void add_product_to(double weight, const Vector& vector,
+                                                            double* target) {
+    Vector numbers;
+    std::memcpy(&numbers, target, sizeof numbers);
+    store(numbers + weight * vector, target);
   }
   template <class Vector>
   __attribute__((always_inline)) static void store(const Vector& vector, double* address) {

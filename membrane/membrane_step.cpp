@@ -52,6 +52,12 @@ struct OnNodes {
   Work work;
 };
 
+// Said for compilers that do not deduce them for aggregates.
+template <class Work>
+OnBlocks(Work) -> OnBlocks<Work>;
+template <class Work>
+OnNodes(Work) -> OnNodes<Work>;
+
 /// The threads at work on several membranes, part after part of a step.
 class Team {
  public:
