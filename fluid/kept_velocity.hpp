@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "fluid/collision.hpp"
 #include "fluid/fluid.hpp"
+#include "fluid/pack.hpp"
 
 namespace tanktread::fluid {
 
@@ -17,40 +17,42 @@ namespace tanktread::fluid {
 ///
 /// It is a copy of what MomentReader finds, to the last bit, and no part of the state. Rows are numbered z ny
 /// + y.
+template <typename Real>
 class KeptVelocity {
  public:
   explicit KeptVelocity(const GridShape& shape)
-      : packs_a_row_((shape.nx + pack_size - 1) / pack_size),
+      : packs_a_row_((shape.nx + pack_size<Real> - 1) / pack_size<Real>),
         turn_of_(packs_a_row_ * shape.ny * shape.nz, 0),
         // Not filled: where no force ever acts the system then need not give any memory.
-        values_(std::make_unique_for_overwrite<double[]>(n_values * turn_of_.size())) {}
+        values_(std::make_unique_for_overwrite<Real[]>(n_values * turn_of_.size())) {}
 
   /// What was kept so far is void.
   void forget() { ++turn_; }
 
   /// Keeps the velocity of the pack that begins at node x of a row.
-  void put(std::int64_t row, int x, const std::array<Pack, 3>& velocity) {
-    const std::int64_t pack = row * packs_a_row_ + x / pack_size;
+  void put(std::int64_t row, int x, const std::array<Pack<Real>, 3>& velocity) {
+    const std::int64_t pack = row * packs_a_row_ + x / pack_size<Real>;
     for (int component = 0; component < 3; ++component)
-      store(&values_[n_values * pack + component * pack_size], velocity[component]);
+      store(&values_[n_values * pack + component * pack_size<Real>], velocity[component]);
     turn_of_[pack] = turn_;
   }
 
   /// Writes the velocity of node x of a row, if it was kept. @return whether it was
   bool get(std::int64_t row, std::int64_t x, double* velocity) const {
-    const std::int64_t pack = row * packs_a_row_ + x / pack_size;
+    const std::int64_t pack = row * packs_a_row_ + x / pack_size<Real>;
     if (turn_of_[pack] != turn_) return false;
-    const double* values = &values_[n_values * pack + x % pack_size];
-    for (int component = 0; component < 3; ++component) velocity[component] = values[component * pack_size];
+    const Real* values = &values_[n_values * pack + x % pack_size<Real>];
+    for (int component = 0; component < 3; ++component)
+      velocity[component] = values[component * pack_size<Real>];
     return true;
   }
 
  private:
-  static constexpr int n_values = 3 * pack_size;
+  static constexpr int n_values = 3 * pack_size<Real>;
   std::int64_t packs_a_row_;
   std::int64_t turn_ = 1;              ///< counts how often all was forgotten
   std::vector<std::int64_t> turn_of_;  ///< the turn in which each pack was kept; 0: none
-  std::unique_ptr<double[]> values_;   ///< of each pack: x of its nodes, then y, then z
+  std::unique_ptr<Real[]> values_;     ///< of each pack: x of its nodes, then y, then z
 };
 
 }  // namespace tanktread::fluid

@@ -7,14 +7,13 @@
 #include <sstream>
 
 #include "fluid/border_checks.hpp"
-#include "fluid/collision.hpp"
 #include "fluid/developed_flow.hpp"
 #include "fluid/force_field.hpp"
 #include "fluid/kept_velocity.hpp"
 #include "fluid/node_moments.hpp"
 #include "fluid/node_rates.hpp"
 #include "fluid/population_lattice.hpp"
-#include "fluid/row_packs.hpp"
+#include "fluid/row_sweep.hpp"
 #include "fluid/settings.hpp"
 
 namespace tanktread::fluid {
@@ -22,19 +21,21 @@ namespace {
 
 using d3q19::n_directions;
 
+/// @tparam Real of the populations, and of the arithmetic of a step
+template <typename Real>
 class LatticeBoltzmann final : public Fluid {
  public:
   explicit LatticeBoltzmann(const LatticeBoltzmannSettings& settings)
       : settings_(settings),
-        limit_squared_(settings.speed_limit * settings.speed_limit),
+        limit_squared_(static_cast<Real>(settings.speed_limit * settings.speed_limit)),
         n_threads_(settings.threads > 0 ? settings.threads : omp_get_max_threads()),
         lattice_(settings.shape, settings.walls),
         rates_(settings),
-        force_(settings.shape, settings.body_force),
+        force_(settings.shape, settings.body_force, n_threads_),
         kept_velocity_(settings.shape) {
     for_each_row([&](int y, int z) {
       for (int x = 0; x < shape().nx; ++x)
-        lattice_.put_outgoing(last_turn(), x, y, z, start_populations(settings_, x, y, z).data());
+        put_outgoing(x, y, z, start_populations(settings_, x, y, z).data());
     });
   }
 
@@ -45,7 +46,7 @@ class LatticeBoltzmann final : public Fluid {
     const std::int64_t n = static_cast<std::int64_t>(nodes.size());
 #pragma omp parallel num_threads(n_threads_)
     {
-      MomentReader reader = moment_reader();
+      auto reader = moment_reader();
 #pragma omp for schedule(static)
       for (std::int64_t k = 0; k < n; ++k) reader.velocity_at(nodes[k], &velocity[3 * k]);
     }
@@ -57,7 +58,7 @@ class LatticeBoltzmann final : public Fluid {
     check_size("moments(): velocity", velocity.size(), 3 * n);
 #pragma omp parallel num_threads(n_threads_)
     {
-      MomentReader reader = moment_reader();
+      auto reader = moment_reader();
 #pragma omp for schedule(static)
       for (std::int64_t node = 0; node < n; ++node) {
         const auto at_node = reader.at(node);
@@ -99,12 +100,13 @@ class LatticeBoltzmann final : public Fluid {
     State state;
     state.step = step_;
     state.arrays.push_back({"populations", n_directions, std::vector<double>(n_directions * shape().size())});
-    state.arrays.push_back({"force", 3, force_.added()});
+    const auto force = force_.added();
+    state.arrays.push_back({"force", 3, {force.begin(), force.end()}});
     if (!rates_.viscosity().empty()) state.arrays.push_back({"viscosity", 1, rates_.viscosity()});
     auto& values = state.arrays[0].values;
     for_each_row([&](int y, int z) {
       for (int x = 0; x < shape().nx; ++x)
-        lattice_.get_outgoing(last_turn(), x, y, z, &values[n_directions * shape().index(x, y, z)]);
+        get_outgoing(x, y, z, &values[n_directions * shape().index(x, y, z)]);
     });
     return state;
   }
@@ -117,8 +119,7 @@ class LatticeBoltzmann final : public Fluid {
     rates_.set_viscosity(arrays.viscosity);
     for_each_row([&](int y, int z) {
       for (int x = 0; x < shape().nx; ++x)
-        lattice_.put_outgoing(last_turn(), x, y, z,
-                              &arrays.populations[n_directions * shape().index(x, y, z)]);
+        put_outgoing(x, y, z, &arrays.populations[n_directions * shape().index(x, y, z)]);
     });
   }
 
@@ -139,7 +140,20 @@ class LatticeBoltzmann final : public Fluid {
       body(static_cast<int>(row % ny), static_cast<int>(row / ny));
   }
 
-  MomentReader moment_reader() const {
+  // A state holds doubles, which hold the lattice's numbers exactly.
+  void get_outgoing(int x, int y, int z, double* populations) const {
+    Real numbers[n_directions];
+    lattice_.get_outgoing(last_turn(), x, y, z, numbers);
+    std::copy_n(numbers, n_directions, populations);
+  }
+  void put_outgoing(int x, int y, int z, const double* populations) {
+    Real numbers[n_directions];
+    std::transform(populations, populations + n_directions, numbers,
+                   [](double number) { return static_cast<Real>(number); });
+    lattice_.put_outgoing(last_turn(), x, y, z, numbers);
+  }
+
+  MomentReader<Real> moment_reader() const {
     return {lattice_, force_, kept_velocity_, last_turn(), settings_.inertia};
   }
 
@@ -147,103 +161,24 @@ class LatticeBoltzmann final : public Fluid {
   double sweep(Turn turn) {
     const int ny = settings_.shape.ny;
     const std::int64_t n_rows = std::int64_t{ny} * settings_.shape.nz;
+    const RowSweep<Real, inertia> sweep(
+        SweepParts<Real>{lattice_, rates_, force_, kept_velocity_, limit_squared_}, turn);
     double highest_squared = 0.0;
     std::int64_t first_bad_row = n_rows;
 #pragma omp parallel num_threads(n_threads_) reduction(max : highest_squared) reduction(min : first_bad_row)
     {
+      SpeedWatch<Real> watch;
 #pragma omp for schedule(static)
       for (std::int64_t row = 0; row < n_rows; ++row) {
-        SpeedWatch watch;
-        const int y = static_cast<int>(row % ny), z = static_cast<int>(row / ny);
-        if (force_.may_act_in(row)) {
-          sweep_row<inertia, true>(turn, y, z, watch);
-        } else {
-          sweep_row<inertia, false>(turn, y, z, watch);
-        }
-        for (int lane = 0; lane < pack_size; ++lane) {
-          highest_squared = std::max(highest_squared, watch.highest_squared[lane]);
-          if (watch.n_bad[lane] != 0.0) first_bad_row = std::min(first_bad_row, row);
-        }
+        watch.n_bad = Pack<Real>{};
+        sweep.advance(static_cast<int>(row % ny), static_cast<int>(row / ny), watch);
+        if (any_lane(watch.n_bad)) first_bad_row = std::min(first_bad_row, row);
       }
+      for (int lane = 0; lane < pack_size<Real>; ++lane)
+        highest_squared = std::max<double>(highest_squared, watch.highest_squared[lane]);
     }
     if (first_bad_row < n_rows) report_breakdown(first_bad_row);
     return highest_squared;
-  }
-
-  /// @tparam may_have_force forces are looked for, pack by pack
-  template <bool inertia, bool may_have_force>
-  void sweep_row(Turn turn, int y, int z, SpeedWatch& watch) {
-    const int nx = settings_.shape.nx;
-    const std::int64_t row = std::int64_t{z} * settings_.shape.ny + y;
-    if (lattice_.walls()) return_from_walls(turn, y, z);
-    RowSlots slots;
-    for (int i = 0; i < n_directions; ++i) slots[i] = lattice_.row_slot(turn, i, y, z);
-
-    for (int x = 0; x < nx; x += pack_size) {
-      const bool at_end = x + pack_size > nx || (turn == Turn::streaming && (x == 0 || x + pack_size == nx));
-      if constexpr (may_have_force) {
-        const bool added = force_.added_to(row, x, std::min(pack_size, nx - x));
-        if (added || force_.has_body_force()) {
-          if (at_end)
-            push<inertia>(EndPack(lattice_, turn, slots, x, y, z), row, x, added, watch);
-          else
-            push<inertia>(WholePack{slots, x}, row, x, added, watch);
-          continue;
-        }
-      }
-      if (at_end)
-        collide_end<inertia>(EndPack(lattice_, turn, slots, x, y, z), row, x, watch);
-      else
-        collide_at<inertia, false>(WholePack{slots, x}, row, x, PackForce{}, watch);
-    }
-  }
-
-  // Two kinds of pack are kept out of the loop over whole packs without a force, whose code stays small that
-  // way.
-
-  template <bool inertia>
-  __attribute__((noinline)) void collide_end(const EndPack& at, std::int64_t row, int x, SpeedWatch& watch) {
-    collide_at<inertia, false>(at, row, x, PackForce{}, watch);
-  }
-
-  /// Collides a pack with a force, and keeps its velocity if the force was added.
-  template <bool inertia, typename SomePack>
-  __attribute__((noinline)) void push(const SomePack& at, std::int64_t row, int x, bool added,
-                                      SpeedWatch& watch) {
-    const PackForce force = added ? force_.total(row, x, at.n_lanes()) : force_.body_force();
-    collide_at<inertia, true>(at, row, x, force, watch);
-    if (!added) return;
-    PackPopulations outgoing;
-    at.load_outgoing(outgoing);
-    kept_velocity_.put(row, x,
-                       outgoing_moments<Pack>(outgoing, {force.x, force.y, force.z}, inertia).velocity);
-  }
-
-  template <bool inertia, bool forced, typename SomePack>
-  __attribute__((always_inline)) void collide_at(const SomePack& at, std::int64_t row, int x,
-                                                 const PackForce& force, SpeedWatch& watch) {
-    PackPopulations f;
-    at.load_to(f);
-    collide<inertia, forced>(f, rates_.pack(row * settings_.shape.nx + x, at.n_lanes()), force,
-                             limit_squared_, watch, [&](int i, Pack outgoing) { at.put(i, outgoing); });
-  }
-
-  /// What moving walls give to the populations they send back, added where the step will find these.
-  void return_from_walls(Turn turn, int y, int z) {
-    const int nx = settings_.shape.nx;
-    const bool across_rows = lattice_.walls()->axis == 0;
-    for (int i = 1; i < n_directions; ++i) {
-      const double gain = lattice_.wall_gain(i);
-      if (gain == 0.0) continue;
-      if (across_rows) {
-        for (const int x : {0, nx - 1}) {
-          if (lattice_.from_wall(i, x, y, z)) *lattice_.slot(turn, i, x, y, z) += gain;
-        }
-      } else if (lattice_.from_wall(i, 0, y, z)) {
-        double* slots = lattice_.row(i, y, z);
-        for (int x = 0; x < nx; ++x) slots[x] += gain;
-      }
-    }
   }
 
   /// Looks for the node that broke down in a row the step has just written.
@@ -253,7 +188,7 @@ class LatticeBoltzmann final : public Fluid {
     const int y = static_cast<int>(row % ny), z = static_cast<int>(row / ny);
     std::ostringstream message;
     message << "step " << step_ << ": ";
-    MomentReader reader = moment_reader();
+    auto reader = moment_reader();
     for (int x = 0; x < settings_.shape.nx; ++x) {
       const auto moments = reader.at(settings_.shape.index(x, y, z));
       const auto& u = moments.velocity;
@@ -272,12 +207,12 @@ class LatticeBoltzmann final : public Fluid {
   }
 
   LatticeBoltzmannSettings settings_;
-  double limit_squared_;  ///< of the speed
+  Real limit_squared_;  ///< of the speed
   int n_threads_;
-  PopulationLattice lattice_;
-  NodeRates rates_;
+  PopulationLattice<Real> lattice_;
+  NodeRates<Real> rates_;
   ForceField force_;
-  KeptVelocity kept_velocity_;
+  KeptVelocity<Real> kept_velocity_;
   std::int64_t step_ = 0;
 };
 
@@ -285,7 +220,9 @@ class LatticeBoltzmann final : public Fluid {
 
 std::unique_ptr<Fluid> make_lattice_boltzmann(const LatticeBoltzmannSettings& settings) {
   check(settings);
-  return std::make_unique<LatticeBoltzmann>(settings);
+  if (settings.storage == Storage::single_precision)
+    return std::make_unique<LatticeBoltzmann<float>>(settings);
+  return std::make_unique<LatticeBoltzmann<double>>(settings);
 }
 
 }  // namespace tanktread::fluid

@@ -23,6 +23,13 @@ enum class Start {
   developed,  ///< the steady laminar profile of the walls and the body force (Couette + Poiseuille)
 };
 
+/// How populations are kept, as differences from rest: a step moves all of them to and from memory, which is
+/// what it takes its time for.
+enum class Storage {
+  double_precision,
+  single_precision,  ///< and the arithmetic of a step; forces, viscosities and all that leaves stay double
+};
+
 /// Settings of the solver, all in lattice units.
 struct LatticeBoltzmannSettings {
   GridShape shape;                ///< nx >= 3, ny >= 1, nz >= 1
@@ -34,6 +41,7 @@ struct LatticeBoltzmannSettings {
   bool inertia = true;  ///< false drops the quadratic terms of equilibrium and force (Stokes)
   std::array<double, 3> body_force = {0, 0, 0};  ///< uniform, on each node
   Start start = Start::rest;
+  Storage storage = Storage::double_precision;
   double speed_limit = 0.3;  ///< a speed at or over it is a Breakdown
   int threads = 0;  ///< 0: as many as OpenMP offers. The result does not depend on it, to the last bit.
 };

@@ -9,11 +9,10 @@
 #include "fluid/force_field.hpp"
 #include "fluid/kept_velocity.hpp"
 #include "fluid/population_lattice.hpp"
-#include "fluid/row_packs.hpp"
 
 namespace tanktread::fluid {
 
-/// Density and velocity of one node, or of the nodes of a pack (Number = Pack).
+/// Density and velocity of one node, or of the nodes of a pack (Number = Pack<Real>).
 template <typename Number>
 struct Moments {
   Number density;
@@ -23,18 +22,24 @@ struct Moments {
 /// The moments that a collision met, from what went out of it: f[i] along direction i. A collision adds the
 /// force F to the momentum sum f c, so that with outgoing populations u = (sum f c - F/2)/rho.
 ///
-/// Node and pack agree to the last bit: the sums are the same, in the same order.
-template <typename Number>
+/// Node and pack agree to the last bit: the sums are the same, in the same order. @tparam Real of the lattice
+template <typename Real, typename Number>
 Moments<Number> outgoing_moments(const Number (&f)[d3q19::n_directions], const std::array<Number, 3>& force,
                                  bool inertia) {
   Number density_change = f[0];
+#pragma GCC unroll 19
   for (int i = 1; i < d3q19::n_directions; ++i) density_change += f[i];
-  Moments<Number> moments{1.0 + density_change, {}};
+  Moments<Number> moments{Real(1) + density_change, {}};
+#pragma GCC unroll 3
   for (int component = 0; component < 3; ++component) {
     Number momentum{};
-    for (int i = 1; i < d3q19::n_directions; i += 2)
-      momentum += d3q19::velocity[i][component] * (f[i] - f[i + 1]);
-    momentum -= 0.5 * force[component];
+#pragma GCC unroll 9
+    for (int i = 1; i < d3q19::n_directions; i += 2) {
+      // Without the products with 0, which would be added as well (f is finite, or the step has broken down).
+      if (d3q19::velocity[i][component] == 0) continue;
+      momentum += Real(d3q19::velocity[i][component]) * (f[i] - f[i + 1]);
+    }
+    momentum -= Real(0.5) * force[component];
     moments.velocity[component] = inertia ? momentum / moments.density : momentum;
   }
   return moments;
@@ -42,23 +47,27 @@ Moments<Number> outgoing_moments(const Number (&f)[d3q19::n_directions], const s
 
 /// Reads one node after the other. Nodes that follow each other in a row share the look-up of its slots, so
 /// each thread has a reader of its own. Lattice, forces and kept velocities are borrowed and must outlive it.
+template <typename Real>
 class MomentReader {
  public:
   /// @param last the kind of the step that was done last
-  MomentReader(const PopulationLattice& lattice, const ForceField& force, const KeptVelocity& kept, Turn last,
-               bool inertia)
+  MomentReader(const PopulationLattice<Real>& lattice, const ForceField& force,
+               const KeptVelocity<Real>& kept, Turn last, bool inertia)
       : lattice_(lattice), force_(force), kept_(kept), last_(last), inertia_(inertia) {}
 
   Moments<double> at(std::int64_t node) {
     if (!holds(node)) move_to_row(node / lattice_.shape().nx);
     const std::int64_t x = node - row_begin_;
-    double f[d3q19::n_directions];
+    Real f[d3q19::n_directions];
     if (x > 0 && x < lattice_.shape().nx - 1) {
       for (int i = 0; i < d3q19::n_directions; ++i) f[i] = slots_[d3q19::opposite(i)][x];
     } else {
       lattice_.get_outgoing(last_, static_cast<int>(x), y_, z_, f);
     }
-    return outgoing_moments(f, force_.total(node), inertia_);
+    const auto force = force_.total(node);
+    const auto moments =
+        outgoing_moments<Real>(f, {Real(force[0]), Real(force[1]), Real(force[2])}, inertia_);
+    return {moments.density, {moments.velocity[0], moments.velocity[1], moments.velocity[2]}};
   }
 
   /// The velocity of a node: the kept one, if there is one.
@@ -81,15 +90,15 @@ class MomentReader {
     for (int i = 0; i < d3q19::n_directions; ++i) slots_[i] = lattice_.row_slot(last_, i, y_, z_);
   }
 
-  const PopulationLattice& lattice_;
+  const PopulationLattice<Real>& lattice_;
   const ForceField& force_;
-  const KeptVelocity& kept_;
+  const KeptVelocity<Real>& kept_;
   Turn last_;
   bool inertia_;
   std::int64_t row_ = 0;
   std::int64_t row_begin_ = std::numeric_limits<std::int32_t>::min();  ///< first node; at first of no row
   int y_ = 0, z_ = 0;
-  RowSlots slots_{};  ///< right away from the ends of the row
+  std::array<Real*, d3q19::n_directions> slots_{};  ///< right away from the ends of the row
 };
 
 }  // namespace tanktread::fluid

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include "fluid/pack.hpp"
+
 namespace tanktread::fluid {
 namespace {
 
@@ -21,17 +23,18 @@ void ask_for_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::siz
 
 }  // namespace
 
-PopulationLattice::PopulationLattice(const GridShape& shape, const std::optional<WallPair>& walls)
+template <typename Real>
+PopulationLattice<Real>::PopulationLattice(const GridShape& shape, const std::optional<WallPair>& walls)
     : shape_(shape), walls_(walls) {
-  constexpr std::int64_t line = 8;  // doubles of a cache line
+  constexpr std::int64_t line = pack_size<Real>;  // numbers of a cache line
   row_stride_ = (shape.nx + line - 1) / line * line;
   // The 19 planes are walked side by side: were they a multiple of 4096 bytes apart, all would fall in the
   // same few sets of the first-level cache. 27 lines (odd, and spread over the 64 sets) keep them apart.
   std::int64_t lines = std::int64_t{shape.ny} * shape.nz * row_stride_ / line;
   lines += (27 - lines % 64 + 64) % 64;
   plane_stride_ = lines * line;
-  const std::size_t n_bytes = sizeof(double) * plane_stride_ * d3q19::n_directions;
-  planes_.reset(static_cast<double*>(::operator new[](n_bytes, huge_page)));
+  const std::size_t n_bytes = sizeof(Real) * plane_stride_ * d3q19::n_directions;
+  planes_.reset(static_cast<Real*>(::operator new[](n_bytes, huge_page)));
   ask_for_huge_pages(planes_.get(), n_bytes);
   if (walls_) {
     for (int i = 0; i < d3q19::n_directions; ++i) {
@@ -39,13 +42,14 @@ PopulationLattice::PopulationLattice(const GridShape& shape, const std::optional
       if (c[walls_->axis] == 0) continue;
       // A population that comes in with c > 0 along the wall axis was sent back by the low wall.
       const auto& wall = c[walls_->axis] > 0 ? walls_->low_velocity : walls_->high_velocity;
-      wall_gain_[i] = 2.0 * d3q19::weight(i) * d3q19::inverse_sound_speed_squared *
-                      (c[0] * wall[0] + c[1] * wall[1] + c[2] * wall[2]);
+      wall_gain_[i] = static_cast<Real>(2.0 * d3q19::weight(i) * d3q19::inverse_sound_speed_squared *
+                                        (c[0] * wall[0] + c[1] * wall[1] + c[2] * wall[2]));
     }
   }
 }
 
-bool PopulationLattice::from_wall(int direction, int x, int y, int z) const {
+template <typename Real>
+bool PopulationLattice<Real>::from_wall(int direction, int x, int y, int z) const {
   if (!walls_) return false;
   const int position = walls_->axis == 0 ? x : (walls_->axis == 1 ? y : z);
   const int n = walls_->axis == 0 ? shape_.nx : (walls_->axis == 1 ? shape_.ny : shape_.nz);
@@ -53,26 +57,33 @@ bool PopulationLattice::from_wall(int direction, int x, int y, int z) const {
   return source < 0 || source >= n;
 }
 
-double* PopulationLattice::row_slot(Turn turn, int direction, int y, int z) const {
+template <typename Real>
+Real* PopulationLattice<Real>::row_slot(Turn turn, int direction, int y, int z) const {
   // x = 1 stands for any x away from the ends of the row: only walls across y and z matter here.
   if (turn == Turn::local || from_wall(direction, 1, y, z)) return row(direction, y, z);
   const auto& c = d3q19::velocity[direction];
   return row(d3q19::opposite(direction), wrapped(y - c[1], shape_.ny), wrapped(z - c[2], shape_.nz)) - c[0];
 }
 
-double* PopulationLattice::slot(Turn turn, int direction, int x, int y, int z) const {
+template <typename Real>
+Real* PopulationLattice<Real>::slot(Turn turn, int direction, int x, int y, int z) const {
   if (turn == Turn::local || from_wall(direction, x, y, z)) return row(direction, y, z) + x;
   const auto& c = d3q19::velocity[direction];
   return row(d3q19::opposite(direction), wrapped(y - c[1], shape_.ny), wrapped(z - c[2], shape_.nz)) +
          wrapped(x - c[0], shape_.nx);
 }
 
-void PopulationLattice::get_outgoing(Turn last, int x, int y, int z, double* populations) const {
+template <typename Real>
+void PopulationLattice<Real>::get_outgoing(Turn last, int x, int y, int z, Real* populations) const {
   for (int i = 0; i < d3q19::n_directions; ++i) populations[i] = *slot(last, d3q19::opposite(i), x, y, z);
 }
 
-void PopulationLattice::put_outgoing(Turn last, int x, int y, int z, const double* populations) {
+template <typename Real>
+void PopulationLattice<Real>::put_outgoing(Turn last, int x, int y, int z, const Real* populations) {
   for (int i = 0; i < d3q19::n_directions; ++i) *slot(last, d3q19::opposite(i), x, y, z) = populations[i];
 }
+
+template class PopulationLattice<double>;
+template class PopulationLattice<float>;
 
 }  // namespace tanktread::fluid

@@ -83,16 +83,21 @@ TEST_P(FluidForce, velocity_is_that_of_the_moments_to_the_last_bit) {
     int nx, wall_axis;
     bool inertia;
     Vector body_force;
+    Storage storage = Storage::double_precision;
   };
   // Rows shorter than a pack, of whole packs, with a part of one at the end; walls across x, too.
-  for (const auto& flow : {Flow{3, -1, true, {0, 0, 0}}, Flow{8, 0, true, {0, 0, 0}},
-                           Flow{24, 0, false, {0, 0, 0}}, Flow{27, 1, true, {1e-4, -2e-4, 3e-4}},
-                           Flow{27, 2, false, {0, 0, 0}}, Flow{27, 2, true, {0, 0, 0}}}) {
+  for (const auto& flow :
+       {Flow{3, -1, true, {0, 0, 0}}, Flow{8, 0, true, {0, 0, 0}}, Flow{24, 0, false, {0, 0, 0}},
+        Flow{27, 1, true, {1e-4, -2e-4, 3e-4}}, Flow{27, 2, false, {0, 0, 0}}, Flow{27, 2, true, {0, 0, 0}},
+        Flow{7, 0, true, {0, 0, 0}, Storage::single_precision},
+        Flow{32, 1, false, {0, 0, 0}, Storage::single_precision},
+        Flow{43, 2, true, {1e-4, -2e-4, 3e-4}, Storage::single_precision}}) {
     auto settings = periodic_box();
     settings.shape = {flow.nx, 6, 5};
     if (flow.wall_axis >= 0) settings.walls = moving_walls(flow.wall_axis);
     settings.inertia = flow.inertia;
     settings.body_force = flow.body_force;
+    settings.storage = flow.storage;
     const auto fluid = make(settings);
     const auto nodes = all_nodes(settings.shape);
     const auto expect_the_same = [&](const std::string& when) {

@@ -22,6 +22,16 @@ using Numbers = std::vector<double>;
 using Vector = std::array<double, 3>;
 
 inline constexpr double eps = std::numeric_limits<double>::epsilon();
+
+/// The list that tests of the fast solver run over, and what a number of its lattice resolves.
+inline constexpr Storage storages[] = {Storage::double_precision, Storage::single_precision};
+inline double epsilon(Storage storage) {
+  return storage == Storage::double_precision ? eps : double{std::numeric_limits<float>::epsilon()};
+}
+inline std::string name_of(Storage storage) {
+  return storage == Storage::double_precision ? "double" : "single";
+}
+
 inline constexpr int n_populations = d3q19::n_directions;
 
 /// Density (1 a node) and velocity (3 a node) of every node.
