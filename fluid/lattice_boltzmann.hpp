@@ -60,11 +60,24 @@ struct LatticeBoltzmannSettings {
 /// @throws std::invalid_argument naming the setting that is out of range
 std::unique_ptr<Fluid> make_lattice_boltzmann(const LatticeBoltzmannSettings& settings);
 
-/// Bytes that a step must move to and from memory for each node without a force: 2 x 19 doubles.
-inline constexpr int lattice_boltzmann_bytes_per_node = 2 * 19 * 8;
+/// Bytes of a number of the lattice.
+inline constexpr int bytes_of_number(Storage storage) {
+  return storage == Storage::single_precision ? 4 : 8;
+}
 
-/// Bytes of memory a node takes (populations, force; left out: padding, 25 more on nodes around which forces
-/// have acted, and 24 where each node has its viscosity).
-inline constexpr int lattice_boltzmann_memory_per_node = (19 + 3) * 8;
+/// Bytes of memory a node takes: its 19 populations. Left out: padding; the force (24) and what else is kept
+/// (25) on nodes around which forces have acted; 24 where each node has its viscosity.
+inline constexpr int lattice_boltzmann_memory_per_node(Storage storage) {
+  return 19 * bytes_of_number(storage);
+}
+
+/// Bytes that a step must move to and from memory for each node without a force: each population once in and
+/// once out.
+inline constexpr int lattice_boltzmann_bytes_per_node(Storage storage) {
+  return 2 * lattice_boltzmann_memory_per_node(storage);
+}
+
+/// Bytes of a node in a state: populations and force, as doubles (8 more where each node has its viscosity).
+inline constexpr int lattice_boltzmann_state_per_node = (19 + 3) * 8;
 
 }  // namespace tanktread::fluid

@@ -28,6 +28,7 @@ struct FlowCase {
   std::string start = "rest";  ///< rest | developed
   std::array<double, 3> body_force = {0, 0, 0};
   bool inertia = true;
+  std::string storage = "double";     ///< double | single
   std::optional<double> speed_limit;  ///< none: by the wall speed (FlowParameters)
   std::vector<std::string> command;   ///< a program in the place of the flow solver; empty: none
 

@@ -176,6 +176,10 @@ std::vector<Key> title_and_flow_keys() {
           .one_of({"rest", "developed"}),
       key<InFlow<&F::body_force>>("flow.body_force", "lattice", "force on each node, added"),
       key<InFlow<&F::inertia>>("flow.inertia", "", "false: no quadratic terms (Stokes flow)"),
+      key<InFlow<&F::storage>>(
+          "flow.storage", "",
+          "precision in which the fluid is kept and stepped; forces and membranes: double")
+          .one_of({"double", "single"}),
       key<InFlow<&F::speed_limit>>("flow.speed_limit", "lattice", "a fluid that is as fast stops the run")
           .above(0)
           .preset("the less of 0.3 and 5 U0; 0.3 with body_force or in a periodic flow"),

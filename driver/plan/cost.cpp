@@ -1,5 +1,6 @@
 #include "driver/plan/cost.hpp"
 
+#include "driver/system/components.hpp"
 #include "driver/units/schedule.hpp"
 #include "fluid/lattice_boltzmann.hpp"
 
@@ -53,7 +54,7 @@ double Cost::write_seconds() const {
 double memory_needed_bytes(const Case& the_case, const std::vector<membrane::TriangleMesh>& meshes) {
   // Program and libraries; a membrane node with its two triangles, at work and in a file; their history.
   constexpr double program = 20e6, node = 1500, node_history = 500;
-  double bytes = program + 2 * fluid::lattice_boltzmann_memory_per_node * n_nodes(the_case.flow.box);
+  double bytes = program + fluid_memory_bytes(the_case.flow);
   for (std::size_t k = 0; k < meshes.size(); ++k) {
     const bool has_history = the_case.capsules[k].membrane.viscous.scheme != "none";
     bytes += (node + (has_history ? node_history : 0)) * static_cast<double>(meshes[k].points.cols());
@@ -76,7 +77,7 @@ Cost predict_cost(const Case& the_case, const Parameters& parameters,
 
   const double fluid_bytes = fluid_record * sizes.fluid_file_nodes;
   const double membrane_bytes = node_record * sizes.membrane_nodes + triangle_record * sizes.triangles;
-  const double lattice_bytes = fluid::lattice_boltzmann_memory_per_node * sizes.grid_nodes;
+  const double lattice_bytes = fluid::lattice_boltzmann_state_per_node * sizes.grid_nodes;
   const double checkpoint_bytes =
       lattice_bytes + checkpoint_node * sizes.membrane_nodes + checkpoint_triangle * sizes.triangles;
   const double n_rows = times(the_case.output.observables_every),

@@ -11,7 +11,6 @@
 #include "driver/system/components.hpp"
 #include "driver/system/phases.hpp"
 #include "exchange/vtk_files.hpp"
-#include "fluid/lattice_boltzmann.hpp"
 
 namespace tanktread::driver {
 namespace {
@@ -51,9 +50,7 @@ void check_places(const FluidStage& stage) {
 void run(const FluidStage& stage) {
   check_places(stage);
   // The lattice, and once more as the state to write.
-  const auto& box = stage.the_case.flow.box;
-  require_memory(2.0 * fluid::lattice_boltzmann_memory_per_node * box[0] * box[1] * box[2],
-                 stage.the_case.file.string() + ": flow.box");
+  require_memory(fluid_memory_bytes(stage.the_case.flow), stage.the_case.file.string() + ": flow.box");
   const auto numbers = flow_parameters(stage.the_case);
   const auto fluid = make_fluid(stage.the_case, numbers);
   if (!stage.state.empty()) {

@@ -4,6 +4,20 @@
 
 namespace tanktread::driver {
 
+namespace {
+
+fluid::Storage storage_of(const FlowCase& flow) {
+  return flow.storage == "single" ? fluid::Storage::single_precision : fluid::Storage::double_precision;
+}
+
+}  // namespace
+
+double fluid_memory_bytes(const FlowCase& flow) {
+  const double n_nodes = 1.0 * flow.box[0] * flow.box[1] * flow.box[2];
+  return n_nodes * (fluid::lattice_boltzmann_memory_per_node(storage_of(flow)) +
+                    fluid::lattice_boltzmann_state_per_node);
+}
+
 std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const FlowParameters& parameters) {
   const auto& flow = the_case.flow;
   fluid::LatticeBoltzmannSettings settings;
@@ -13,6 +27,7 @@ std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const FlowParamet
   if (flow.collision == "trt") settings.magic_parameter = flow.magic_parameter;
   settings.inertia = flow.inertia;
   settings.body_force = parameters.body_force;
+  settings.storage = storage_of(flow);
   settings.start = flow.start == "developed" ? fluid::Start::developed : fluid::Start::rest;
   settings.speed_limit = parameters.speed_limit;
   settings.threads = the_case.run.threads;

@@ -17,6 +17,9 @@ namespace tanktread::driver {
 /// The flow solver of a case, at its start. @throws InputError if it is a program that cannot be started
 std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const FlowParameters& parameters);
 
+/// Memory of the flow solver and of its state beside it, as when a checkpoint is written.
+double fluid_memory_bytes(const FlowCase& flow);
+
 /// The coupler of a case, without stencils.
 std::unique_ptr<coupler::Coupler> make_coupler(const Case& the_case);
 /// What a case adds to the velocity that its coupler interpolates.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -13,10 +14,16 @@
 namespace tanktread {
 namespace {
 
+fluid::Storage storage_of(const benchmark::State& state) {
+  return state.range(1) == 4 ? fluid::Storage::single_precision : fluid::Storage::double_precision;
+}
+
 /// Shear flow in a box of n^3 nodes: walls across z, as in every case with a capsule.
-std::unique_ptr<fluid::Fluid> shear_flow(int n) {
+std::unique_ptr<fluid::Fluid> shear_flow(const benchmark::State& state) {
+  const int n = static_cast<int>(state.range(0));
   fluid::LatticeBoltzmannSettings settings;
   settings.shape = {n, n, n};
+  settings.storage = storage_of(state);
   settings.walls = fluid::WallPair{2, {-4e-3, 0, 0}, {4e-3, 0, 0}};
   settings.start = fluid::Start::developed;
   return fluid::make_lattice_boltzmann(settings);
@@ -48,13 +55,14 @@ class Stopwatch {
 
 /// MLUPS, and what the step moves to and from memory at the least, in GB/s and as a share of the copy and of
 /// the update in place that this very run has measured.
-void count(benchmark::State& state, const fluid::Fluid& flow, int steps_per_iteration, double seconds) {
-  const double node_steps = static_cast<double>(state.iterations()) * steps_per_iteration *
-                            static_cast<double>(flow.shape().size());
-  const double bytes_per_second = node_steps * fluid::lattice_boltzmann_bytes_per_node / seconds;
+void count(benchmark::State& state, std::int64_t n_nodes, int steps_per_iteration, double seconds) {
+  const double node_steps =
+      static_cast<double>(state.iterations()) * steps_per_iteration * static_cast<double>(n_nodes);
+  const int bytes_per_node = fluid::lattice_boltzmann_bytes_per_node(storage_of(state));
+  const double bytes_per_second = node_steps * bytes_per_node / seconds;
   const auto& bandwidth = bench::measured_bandwidth();
   state.counters["MLUPS"] = 1e-6 * node_steps / seconds;
-  state.counters["bytes_per_node"] = fluid::lattice_boltzmann_bytes_per_node;
+  state.counters["bytes_per_node"] = bytes_per_node;
   state.counters["GB_per_s"] = 1e-9 * bytes_per_second;
   state.counters["share_of_copy"] = bytes_per_second / bandwidth.copy();
   state.counters["share_of_in_place"] = bytes_per_second / bandwidth.in_place;
@@ -62,13 +70,40 @@ void count(benchmark::State& state, const fluid::Fluid& flow, int steps_per_iter
 
 /// Two steps an iteration: one of each turn of the in-place update.
 void fluid_step(benchmark::State& state) {
-  const auto flow = shear_flow(static_cast<int>(state.range(0)));
+  const auto flow = shear_flow(state);
   const Stopwatch watch;
   for (auto _ : state) {
     flow->step();
     benchmark::DoNotOptimize(flow->step());
   }
-  count(state, *flow, 2, watch.seconds());
+  count(state, flow->shape().size(), 2, watch.seconds());
+}
+
+/// What a step could reach if it did no arithmetic: as many numbers, in 19 streams side by side, each loaded
+/// and stored in place, on as many threads.
+template <typename Number>
+void load_and_store(benchmark::State& state) {
+  constexpr int n_streams = 19, line = 64 / sizeof(Number);
+  const std::int64_t n = state.range(0) * state.range(0) * state.range(0) / line * line;
+  const std::int64_t stride = n + 27 * line;  // not the same sets of the cache for all
+  const auto numbers = std::make_unique_for_overwrite<Number[]>(n_streams * stride);
+  const auto pass = [&](Number factor) {
+#pragma omp parallel for schedule(static)
+    for (std::int64_t begin = 0; begin < n; begin += line) {
+      for (int stream = 0; stream < n_streams; ++stream) {
+        Number* at = &numbers[stream * stride + begin];
+#pragma omp simd
+        for (int k = 0; k < line; ++k) at[k] = at[k] * factor;
+      }
+    }
+  };
+  pass(0);  // each thread touches first what it passes over later
+  const Stopwatch watch;
+  for (auto _ : state) {
+    pass(1);
+    benchmark::ClobberMemory();
+  }
+  count(state, n, 1, watch.seconds());
 }
 
 double median(std::vector<double> numbers) {
@@ -81,7 +116,7 @@ double median(std::vector<double> numbers) {
 /// What that adds is small beside what a busy machine does to a time, so steps with and without it take
 /// turns.
 void fluid_step_with_shell(benchmark::State& state) {
-  const auto flow = shear_flow(static_cast<int>(state.range(0)));
+  const auto flow = shear_flow(state);
   const auto nodes = shell(flow->shape());
   std::vector<double> velocity(3 * nodes.size()), force(3 * nodes.size());
   for (std::size_t k = 0; k < force.size(); ++k) force[k] = k % 2 == 0 ? 1e-6 : -1e-6;
@@ -105,17 +140,24 @@ void fluid_step_with_shell(benchmark::State& state) {
     state.SetIterationTime(with_shell.back());
     seconds += with_shell.back();
   }
-  count(state, *flow, 2, seconds);
+  count(state, flow->shape().size(), 2, seconds);
   state.counters["shell_nodes"] = static_cast<double>(nodes.size());
   state.counters["ms_a_step"] = 500.0 * median(without);
   state.counters["ms_more"] = 500.0 * (median(with_shell) - median(without));
 }
 
+void sizes_of(benchmark::internal::Benchmark* benchmark, const std::vector<std::int64_t>& bytes) {
+  benchmark->ArgNames({"nodes_per_edge", "bytes_of_number"})->Unit(benchmark::kMillisecond);
+  for (const auto n : {60, 120, 128})  // the last is a power of two
+    for (const auto b : bytes) benchmark->Args({n, b});
+}
 void sizes(benchmark::internal::Benchmark* benchmark) {
-  benchmark->ArgName("nodes_per_edge")->Arg(60)->Arg(120)->Unit(benchmark::kMillisecond);
+  sizes_of(benchmark, {8, 4});
 }
 BENCHMARK(fluid_step)->Apply(sizes)->UseRealTime();
 BENCHMARK(fluid_step_with_shell)->Apply(sizes)->UseManualTime();
+BENCHMARK(load_and_store<double>)->Apply([](auto* benchmark) { sizes_of(benchmark, {8}); }) -> UseRealTime();
+BENCHMARK(load_and_store<float>)->Apply([](auto* benchmark) { sizes_of(benchmark, {4}); }) -> UseRealTime();
 
 }  // namespace
 }  // namespace tanktread

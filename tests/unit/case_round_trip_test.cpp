@@ -31,6 +31,7 @@ TEST(CaseRoundTrip, WithAssignments) {
   const std::vector<std::vector<std::string>> all = {
       {"flow.kind=poiseuille", "flow.wall_axis=x", "flow.flow_axis=y", "capsule.0.position.2=3"},
       {"flow.collision=bgk"},
+      {"flow.storage=single"},
       {"membrane.elastic_law=neo-hookean"},
       {"membrane.elastic_law=hookean", "membrane.poisson_ratio=-0.25"},
       {"membrane.elastic_law=interfacial-tension"},

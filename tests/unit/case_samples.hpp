@@ -33,6 +33,7 @@ magic_parameter = 0.25
 start = "developed"
 body_force = [1e-7, 0, -2e-9]
 inertia = false
+storage = "single"
 speed_limit = 0.2
 [[capsule]]
 radius = 5.1
