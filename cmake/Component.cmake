@@ -22,6 +22,9 @@ endfunction()
 # Two warnings of GCC 12 are of its own headers: -Wrestrict (bug 105329) and -Wmaybe-uninitialized (bug 105593). No -ftrapping-math/-fmath-errno: they forbid vector code and change no result.
 function(tanktread_compile_options target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Werror -Wno-restrict -Wno-maybe-uninitialized -fno-math-errno -fno-trapping-math)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")  # which does not know the two of GCC
+    target_compile_options(${target} PRIVATE -Wno-unknown-warning-option)
+  endif()
   if(TANKTREAD_NATIVE)
     target_compile_options(${target} PRIVATE -march=native)
   endif()
