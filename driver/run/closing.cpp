@@ -6,19 +6,21 @@
 
 #include "driver/program/signals.hpp"
 #include "driver/run/memory_speed.hpp"
+#include "driver/system/components.hpp"
 #include "fluid/lattice_boltzmann.hpp"
 
 namespace tanktread::driver {
 namespace {
 
 /// The speed of memory over an array as large as the lattice, or large enough for any cache.
-double memory_speed(const System& system, int threads) {
-  constexpr std::int64_t numbers_a_node = fluid::lattice_boltzmann_bytes_per_node / (2 * sizeof(double));
-  constexpr std::int64_t most_numbers = std::int64_t{1} << 25;
+double memory_speed(const System& system, const Case& the_case) {
+  constexpr std::int64_t bytes_of_number = 8, most_numbers = std::int64_t{1} << 25;
   constexpr int most_passes = 12;
   constexpr double most_seconds = 0.3;
-  const auto n = std::min(numbers_a_node * system.fluid->shape().size(), most_numbers);
-  return update_in_place_speed(n, most_passes, most_seconds, threads);
+  const auto lattice_bytes =
+      fluid::lattice_boltzmann_memory_per_node(storage_of(the_case.flow)) * system.fluid->shape().size();
+  const auto n = std::min(lattice_bytes / bytes_of_number, most_numbers);
+  return update_in_place_speed(n, most_passes, most_seconds, the_case.run.threads);
 }
 
 }  // namespace
@@ -57,8 +59,9 @@ void print_closing(const System& system, const Case& the_case, const Progress& p
   const double whole = progress.seconds(), mlups = progress.mlups(system.step);
   if (system.seconds.fluid > 0) fmt::print("{}", time_table(system.seconds, files, whole));
   if (whole > shortest_run && SignalGuard::caught() == 0 && the_case.flow.command.empty()) {
-    const double bytes = 1e6 * mlups * whole * fluid::lattice_boltzmann_bytes_per_node;
-    fmt::print("{}", bound_line(bytes / system.seconds.fluid, memory_speed(system, the_case.run.threads)));
+    const double bytes =
+        1e6 * mlups * whole * fluid::lattice_boltzmann_bytes_per_node(storage_of(the_case.flow));
+    fmt::print("{}", bound_line(bytes / system.seconds.fluid, memory_speed(system, the_case)));
   }
   fmt::print("ended at step {} with {:.1f} MLUPS; results are in {}\n", system.step, mlups,
              directory.string());

@@ -4,13 +4,9 @@
 
 namespace tanktread::driver {
 
-namespace {
-
 fluid::Storage storage_of(const FlowCase& flow) {
   return flow.storage == "single" ? fluid::Storage::single_precision : fluid::Storage::double_precision;
 }
-
-}  // namespace
 
 double fluid_memory_bytes(const FlowCase& flow) {
   const double n_nodes = 1.0 * flow.box[0] * flow.box[1] * flow.box[2];

@@ -11,11 +11,15 @@
 #include "driver/system/node_corrections.hpp"
 #include "driver/units/units.hpp"
 #include "fluid/fluid.hpp"
+#include "fluid/lattice_boltzmann.hpp"
 
 namespace tanktread::driver {
 
 /// The flow solver of a case, at its start. @throws InputError if it is a program that cannot be started
 std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const FlowParameters& parameters);
+
+/// The precision in which the case has its fluid kept (flow.storage).
+fluid::Storage storage_of(const FlowCase& flow);
 
 /// Memory of the flow solver and of its state beside it, as when a checkpoint is written.
 double fluid_memory_bytes(const FlowCase& flow);

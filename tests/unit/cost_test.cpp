@@ -74,7 +74,7 @@ TEST(Cost, ABoxBeyondAllMemoryIsRefusedBeforeItIsTried) {
     ADD_FAILURE() << "was not refused";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(),
-                HasSubstr("case.toml: flow.box = [100000, 100000, 100000]: needs about 3.52e+05 TB"));
+                HasSubstr("case.toml: flow.box = [100000, 100000, 100000]: needs about 3.28e+05 TB"));
   }
 }
 
