@@ -1,5 +1,6 @@
 #include "fluid/border_checks.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -32,17 +33,20 @@ void check_size(const std::string& what, std::size_t size, std::int64_t needed) 
 }
 
 void check_nodes(const std::string& what, std::span<const std::int64_t> nodes, std::size_t n_numbers,
-                 std::int64_t n_nodes) {
+                 std::int64_t n_nodes, int threads) {
   if (n_numbers != 3 * nodes.size()) {
     refuse(what + " got " + std::to_string(n_numbers) + " numbers for " + std::to_string(nodes.size()) +
            " nodes, 3 a node are needed");
   }
-  for (const std::int64_t node : nodes) {
-    if (node < 0 || node >= n_nodes) {
-      refuse(what + " got node " + std::to_string(node) + ", the box has nodes 0 to " +
-             std::to_string(n_nodes - 1));
-    }
+  const auto n_listed = static_cast<std::int64_t>(nodes.size());
+  std::int64_t first_bad = n_listed;
+#pragma omp parallel for num_threads(threads) schedule(static) reduction(min : first_bad)
+  for (std::int64_t k = 0; k < n_listed; ++k) {
+    if (nodes[k] < 0 || nodes[k] >= n_nodes) first_bad = std::min(first_bad, k);
   }
+  if (first_bad == n_listed) return;
+  refuse(what + " got node " + std::to_string(nodes[first_bad]) + ", the box has nodes 0 to " +
+         std::to_string(n_nodes - 1));
 }
 
 void check_viscosity(std::span<const double> kinematic_viscosity, std::int64_t n_nodes) {

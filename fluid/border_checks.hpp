@@ -18,7 +18,7 @@ void check_size(const std::string& what, std::size_t size, std::int64_t needed);
 
 /// 3 numbers for each of the nodes, and every node in the box.
 void check_nodes(const std::string& what, std::span<const std::int64_t> nodes, std::size_t n_numbers,
-                 std::int64_t n_nodes);
+                 std::int64_t n_nodes, int threads = 1);
 
 /// One viscosity a node, each positive and finite.
 void check_viscosity(std::span<const double> kinematic_viscosity, std::int64_t n_nodes);

@@ -68,8 +68,8 @@ inline __attribute__((always_inline)) Pack<Real> sum_of(const PackPopulations<Re
 }
 
 /// Collides the nodes of a pack: f[i] comes in along direction i; put(i, pack) takes what goes out along the
-/// opposite of i, as soon as it is known (it need not be held in a register), to where the in-place update
-/// wants it (AA pattern).
+/// opposite of i, as soon as it is known (it need not be held in a register) and in the order of the
+/// directions that go out, to where the in-place update wants it (AA pattern).
 ///
 /// Populations are differences from rest, f_i - w_i. With j = sum f_i c_i + F/2 and u = j/rho (Guo et al.
 /// 2002):

@@ -50,18 +50,17 @@ void ForceField::add(std::span<const std::int64_t> nodes, std::span<const double
 }
 
 void ForceField::add_in_rows(std::span<const std::int64_t> nodes, std::span<const double> force) {
-  std::int64_t row = 0, row_begin = -nx_;  // of no node
-  for (std::size_t k = 0; k < nodes.size(); ++k) {
-    for (int component = 0; component < 3; ++component)
-      added_[3 * nodes[k] + component] += force[3 * k + component];
-    // Nodes mostly follow each other in a row: one division a row, not one a node.
-    if (nodes[k] < row_begin || nodes[k] >= row_begin + nx_) {
-      row = nodes[k] / nx_;
-      row_begin = row * nx_;
+  for (std::size_t k = 0; k < nodes.size();) {
+    // The nodes of one row that follow each other in the list: one division for all of them.
+    const std::int64_t row = nodes[k] / nx_, row_begin = row * nx_;
+    Reach reach = reach_[row];
+    for (; k < nodes.size() && nodes[k] >= row_begin && nodes[k] < row_begin + nx_; ++k) {
+      for (int component = 0; component < 3; ++component)
+        added_[3 * nodes[k] + component] += force[3 * k + component];
+      const auto x = static_cast<std::int32_t>(nodes[k] - row_begin);
+      reach = {std::min(reach.begin, x), std::max(reach.end, x + 1)};
     }
-    const auto x = static_cast<std::int32_t>(nodes[k] - row_begin);
-    reach_[row].begin = std::min(reach_[row].begin, x);
-    reach_[row].end = std::max(reach_[row].end, x + 1);
+    reach_[row] = reach;
   }
 }
 

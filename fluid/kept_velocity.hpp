@@ -37,14 +37,11 @@ class KeptVelocity {
     turn_of_[pack] = turn_;
   }
 
-  /// Writes the velocity of node x of a row, if it was kept. @return whether it was
-  bool get(std::int64_t row, std::int64_t x, double* velocity) const {
+  /// The velocity of the pack that holds node x of a row, if it was kept: of its lane k the component c is
+  /// number c size + k of these. Null: it was not kept. Valid until forget() or put().
+  const Real* find(std::int64_t row, std::int64_t x) const {
     const std::int64_t pack = row * packs_a_row_ + x / pack_size<Real>;
-    if (turn_of_[pack] != turn_) return false;
-    const Real* values = &values_[n_values * pack + x % pack_size<Real>];
-    for (int component = 0; component < 3; ++component)
-      velocity[component] = values[component * pack_size<Real>];
-    return true;
+    return turn_of_[pack] == turn_ ? &values_[n_values * pack] : nullptr;
   }
 
  private:

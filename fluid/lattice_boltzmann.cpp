@@ -42,7 +42,7 @@ class LatticeBoltzmann final : public Fluid {
   GridShape shape() const override { return settings_.shape; }
 
   void velocity(std::span<const std::int64_t> nodes, std::span<double> velocity) const override {
-    check_nodes("velocity()", nodes, velocity.size(), shape().size());
+    check_nodes("velocity()", nodes, velocity.size(), shape().size(), n_threads_);
     const std::int64_t n = static_cast<std::int64_t>(nodes.size());
 #pragma omp parallel num_threads(n_threads_)
     {
@@ -69,7 +69,7 @@ class LatticeBoltzmann final : public Fluid {
   }
 
   void add_force(std::span<const std::int64_t> nodes, std::span<const double> force) override {
-    check_nodes("add_force()", nodes, force.size(), shape().size());
+    check_nodes("add_force()", nodes, force.size(), shape().size(), n_threads_);
     force_.add(nodes, force);
     kept_velocity_.forget();  // velocity() is that under the present force
   }

@@ -8,6 +8,7 @@
 
 #include "fluid/force_field.hpp"
 #include "fluid/kept_velocity.hpp"
+#include "fluid/pack.hpp"
 #include "fluid/population_lattice.hpp"
 
 namespace tanktread::fluid {
@@ -19,31 +20,40 @@ struct Moments {
   std::array<Number, 3> velocity;
 };
 
-/// The moments that a collision met, from what went out of it: f[i] along direction i. A collision adds the
+/// The moments that a collision met, from what goes out of it along each direction. A collision adds the
 /// force F to the momentum sum f c, so that with outgoing populations u = (sum f c - F/2)/rho.
 ///
 /// Node and pack agree to the last bit: the sums are the same, in the same order. @tparam Real of the lattice
+/// @tparam Number Real, or Pack<Real>
 template <typename Real, typename Number>
-Moments<Number> outgoing_moments(const Number (&f)[d3q19::n_directions], const std::array<Number, 3>& force,
-                                 bool inertia) {
-  Number density_change = f[0];
-#pragma GCC unroll 19
-  for (int i = 1; i < d3q19::n_directions; ++i) density_change += f[i];
-  Moments<Number> moments{Real(1) + density_change, {}};
+class OutgoingMoments {
+ public:
+  /// Takes what goes out along direction i; all directions, in their order.
+  __attribute__((always_inline)) void take(int i, Number f) {
+    density_change_ = i == 0 ? f : density_change_ + f;
+    if (i % 2 == 1) first_ = f;
+    if (i == 0 || i % 2 == 1) return;
+    const auto& c = d3q19::velocity[i - 1];
 #pragma GCC unroll 3
-  for (int component = 0; component < 3; ++component) {
-    Number momentum{};
-#pragma GCC unroll 9
-    for (int i = 1; i < d3q19::n_directions; i += 2) {
-      // Without the products with 0, which would be added as well (f is finite, or the step has broken down).
-      if (d3q19::velocity[i][component] == 0) continue;
-      momentum += Real(d3q19::velocity[i][component]) * (f[i] - f[i + 1]);
+    for (int component = 0; component < 3; ++component) {
+      if (c[component] != 0) momentum_[component] += Real(c[component]) * (first_ - f);
     }
-    momentum -= Real(0.5) * force[component];
-    moments.velocity[component] = inertia ? momentum / moments.density : momentum;
   }
-  return moments;
-}
+
+  /// After all have been taken.
+  Moments<Number> moments(const std::array<Number, 3>& force, bool inertia) const {
+    Moments<Number> moments{Real(1) + density_change_, {}};
+    for (int component = 0; component < 3; ++component) {
+      const Number momentum = momentum_[component] - Real(0.5) * force[component];
+      moments.velocity[component] = inertia ? momentum / moments.density : momentum;
+    }
+    return moments;
+  }
+
+ private:
+  Number density_change_{}, first_{};
+  std::array<Number, 3> momentum_{};
+};
 
 /// Reads one node after the other. Nodes that follow each other in a row share the look-up of its slots, so
 /// each thread has a reader of its own. Lattice, forces and kept velocities are borrowed and must outlive it.
@@ -65,20 +75,34 @@ class MomentReader {
       lattice_.get_outgoing(last_, static_cast<int>(x), y_, z_, f);
     }
     const auto force = force_.total(node);
-    const auto moments =
-        outgoing_moments<Real>(f, {Real(force[0]), Real(force[1]), Real(force[2])}, inertia_);
+    OutgoingMoments<Real, Real> outgoing;
+    for (int i = 0; i < d3q19::n_directions; ++i) outgoing.take(i, f[i]);
+    const auto moments = outgoing.moments({Real(force[0]), Real(force[1]), Real(force[2])}, inertia_);
     return {moments.density, {moments.velocity[0], moments.velocity[1], moments.velocity[2]}};
   }
 
   /// The velocity of a node: the kept one, if there is one.
   void velocity_at(std::int64_t node, double* velocity) {
-    if (!holds(node)) move_to_row(node / lattice_.shape().nx);
-    if (!kept_.get(row_, node - row_begin_, velocity)) std::copy_n(at(node).velocity.data(), 3, velocity);
+    if (node < pack_begin_ || node >= pack_end_) move_to_pack(node);
+    if (!kept_pack_) {
+      std::copy_n(at(node).velocity.data(), 3, velocity);
+      return;
+    }
+    for (int component = 0; component < 3; ++component)
+      velocity[component] = kept_pack_[component * pack_size<Real> + (node - pack_begin_)];
   }
 
  private:
   bool holds(std::int64_t node) const {
     return node >= row_begin_ && node < row_begin_ + lattice_.shape().nx;
+  }
+
+  void move_to_pack(std::int64_t node) {
+    if (!holds(node)) move_to_row(node / lattice_.shape().nx);
+    const std::int64_t x = node - row_begin_;
+    pack_begin_ = node - x % pack_size<Real>;
+    pack_end_ = std::min<std::int64_t>(pack_begin_ + pack_size<Real>, row_begin_ + lattice_.shape().nx);
+    kept_pack_ = kept_.find(row_, x);
   }
 
   void move_to_row(std::int64_t row) {
@@ -98,6 +122,8 @@ class MomentReader {
   std::int64_t row_ = 0;
   std::int64_t row_begin_ = std::numeric_limits<std::int32_t>::min();  ///< first node; at first of no row
   int y_ = 0, z_ = 0;
+  std::int64_t pack_begin_ = 0, pack_end_ = 0;  ///< nodes of the pack that was looked up last; at first none
+  const Real* kept_pack_ = nullptr;             ///< its velocities, if they were kept
   std::array<Real*, d3q19::n_directions> slots_{};  ///< right away from the ends of the row
 };
 

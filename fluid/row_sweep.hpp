@@ -57,11 +57,12 @@ class RowSweep {
     const bool ends_reach_round = turn_ == Turn::streaming;
     for (int x = 0; x < nx_; x += size) {
       const bool at_end = x + size > nx_ || (ends_reach_round && (x == 0 || x + size == nx_));
-      const bool forced = may_have_force && force_acts(row, x);
+      const bool added = may_have_force && added_to(row, x);
+      const bool forced = may_have_force && (added || parts_.force.has_body_force());
       if (at_end) {
-        advance_end(EndPack<Real>(slots, x, nx_, leaving), row, x, forced, watch);
+        advance_end(EndPack<Real>(slots, x, nx_, leaving), row, x, forced, added, watch);
       } else if (forced) {
-        push(WholePack<Real>{slots, x}, row, x, watch);
+        push(WholePack<Real>{slots, x}, row, x, added, watch);
       } else {
         collide_at(WholePack<Real>{slots, x}, row, x, watch);
       }
@@ -69,8 +70,7 @@ class RowSweep {
     if (ends_reach_round) EndPack<Real>::leave(slots, leaving);
   }
 
-  bool force_acts(std::int64_t row, int x) const { return parts_.force.has_body_force() || added_to(row, x); }
-
+  /// A force other than zero was added to a node of the pack.
   bool added_to(std::int64_t row, int x) const {
     const int n = std::min(size, nx_ - x);
     if (!parts_.force.may_be_added_to(row, x, n)) return false;
@@ -82,29 +82,28 @@ class RowSweep {
   // way.
 
   __attribute__((noinline)) void advance_end(const EndPack<Real>& at, std::int64_t row, int x, bool forced,
-                                             SpeedWatch<Real>& watch) const {
-    if (forced) return push(at, row, x, watch);
+                                             bool added, SpeedWatch<Real>& watch) const {
+    if (forced) return push(at, row, x, added, watch);
     collide_at(at, row, x, watch);
   }
 
   /// Collides a pack with a force, and keeps its velocity if the force was added.
   template <typename SomePack>
-  __attribute__((noinline)) void push(const SomePack& at, std::int64_t row, int x,
+  __attribute__((noinline)) void push(const SomePack& at, std::int64_t row, int x, bool added,
                                       SpeedWatch<Real>& watch) const {
-    const bool added = added_to(row, x);
     const auto force =
         added ? total_force<Real>(parts_.force, row * nx_ + x, at.n_lanes) : body_force<Real>(parts_.force);
-    PackPopulations<Real> incoming, outgoing;
+    PackPopulations<Real> incoming;
+    OutgoingMoments<Real, Pack<Real>> outgoing;  // collide() puts in the order that it needs
     at.load_to(incoming);
     collide<inertia, true, Real>(
         incoming, rates(row, x, at.n_lanes), force, parts_.limit_squared,
         watch, [&](int i, Pack<Real> pack) __attribute__((always_inline)) {
           at.put(i, pack);
-          outgoing[d3q19::opposite(i)] = pack;
+          outgoing.take(d3q19::opposite(i), pack);
         });
     if (!added) return;
-    parts_.kept_velocity.put(row, x,
-                             outgoing_moments<Real>(outgoing, {force.x, force.y, force.z}, inertia).velocity);
+    parts_.kept_velocity.put(row, x, outgoing.moments({force.x, force.y, force.z}, inertia).velocity);
   }
 
   template <typename SomePack>
