@@ -22,8 +22,14 @@ class CornersOfNode {
 
   /// @param of_corners 3 x 3 n_triangles, a column a corner
   Eigen::Vector3d sum(const Eigen::Matrix3Xd& of_corners, Eigen::Index node) const {
+    return sum_of(node, [&](Eigen::Index corner) { return of_corners.col(corner); });
+  }
+
+  /// The same of what of_corner(3 element + corner) returns, a vector.
+  template <class OfCorner>
+  Eigen::Vector3d sum_of(Eigen::Index node, const OfCorner& of_corner) const {
     Eigen::Vector3d result = Eigen::Vector3d::Zero();
-    for (Eigen::Index k = begin_[node]; k < begin_[node + 1]; ++k) result += of_corners.col(corner_[k]);
+    for (Eigen::Index k = begin_[node]; k < begin_[node + 1]; ++k) result += of_corner(corner_[k]);
     return result;
   }
 
