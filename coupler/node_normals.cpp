@@ -76,7 +76,7 @@ std::span<const std::span<const double>> NodeNormals::find(std::span<const std::
   normals_.resize(3 * first_node_.back());
   of_surface_.clear();
   for (std::size_t s = 0; s < positions.size(); ++s)
-    of_surface_.emplace_back(&normals_[3 * first_node_[s]], &normals_[3 * first_node_[s + 1]]);
+    of_surface_.emplace_back(normals_.data() + 3 * first_node_[s], normals_.data() + 3 * first_node_[s + 1]);
 #pragma omp parallel for num_threads(n_threads_) schedule(static, 1)
   for (int share = 0; share < n_threads_; ++share) {
     const NodeRange range(first_node_.back(), share, n_threads_);

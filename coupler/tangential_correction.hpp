@@ -44,7 +44,6 @@ class TangentialCorrection {
 
   /// @param coupler of the same kernel, with its stencils at the positions of the nodes; all arrays as its
   /// own
-  /// Not by two threads at once.
   /// @param normals of node_normals() or NodeNormals
   /// @param force F_m, that went into the fluid in the step whose velocity it is
   /// @param velocity to which it is added
@@ -57,7 +56,8 @@ class TangentialCorrection {
  private:
   Kernel kernel_;
   double mobility_;  ///< C/(mu S)
-  /// The force on the grid while add() is at work: memory that is used again.
+  /// The force on the grid while add() is at work: memory that is used again. So two threads may not be in it
+  /// at once. So two threads may not be in it at once.
   std::unique_ptr<std::vector<double>> on_grid_ = std::make_unique<std::vector<double>>();
 };
 

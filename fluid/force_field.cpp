@@ -32,11 +32,8 @@ ForceField::ForceField(const GridShape& shape, const std::array<double, 3>& body
 
 void ForceField::add(std::span<const std::int64_t> nodes, std::span<const double> force) {
   if (nodes.empty()) return;
-  if (!ascending(nodes, n_threads_)) {
-    for (std::size_t k = 0; k < nodes.size(); ++k) add_in_rows(nodes.subspan(k, 1), force.subspan(3 * k, 3));
-    return;
-  }
-  // A share takes whole rows, so that no row's reach is written by two.
+  if (!ascending(nodes, n_threads_)) return add_in_rows(nodes, force);
+    // A share takes whole rows, so that no row's reach is written by two.
 #pragma omp parallel for num_threads(n_threads_) schedule(static)
   for (int share = 0; share < n_threads_; ++share) {
     const auto first_in_share = [&](int number) {

@@ -65,11 +65,14 @@ inline constexpr int bytes_of_number(Storage storage) {
   return storage == Storage::single_precision ? 4 : 8;
 }
 
-/// Bytes of memory a node takes: its 19 populations. Left out: padding; the force (24) and what else is kept
-/// (25) on nodes around which forces have acted; 24 where each node has its viscosity.
+/// Bytes of memory a node takes: its 19 populations. Left out: padding; force and velocity on nodes around
+/// which forces have acted (below); 8 and two numbers of the lattice where each node has its viscosity.
 inline constexpr int lattice_boltzmann_memory_per_node(Storage storage) {
   return 19 * bytes_of_number(storage);
 }
+
+/// Bytes of the force on a node, taken where one has acted; three numbers of the lattice are kept beside it.
+inline constexpr int lattice_boltzmann_force_memory_per_node = 3 * 8;
 
 /// Bytes that a step must move to and from memory for each node without a force: each population once in and
 /// once out.

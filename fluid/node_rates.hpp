@@ -37,7 +37,8 @@ class NodeRates {
   /// Of every node, if they are uniform.
   Rates<Real> of_all() const { return {pack_of(even_rate_), pack_of(odd_rate_)}; }
 
-  /// Of nodes that follow each other, if they are not uniform; lanes beyond the last repeat it (EndPack).
+  /// Of nodes that follow each other, if they are not uniform; lanes beyond the last repeat it: any that is
+  /// finite would do.
   Rates<Real> pack(std::int64_t node, int n_lanes) const {
     if (n_lanes == pack_size<Real>) return {load(&even_[node]), load(&odd_[node])};
     Rates<Real> rates;

@@ -47,8 +47,8 @@ inline Pack<float> joined(Pack<double> low, Pack<double> high) {
   return __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
 }
 
-/// The total force on the pack of `n_lanes` nodes that begins with `node`; only the body force on lanes
-/// beyond. It is summed in double precision, whatever the lattice's numbers are.
+/// The total force on the pack of `n_lanes` nodes that begins with `node`; on lanes beyond it is of no
+/// meaning. It is summed in double precision, whatever the lattice's numbers are.
 template <typename Real>
 PackForce<Real> total_force(const ForceField& field, std::int64_t node, int n_lanes) {
   constexpr int n_numbers = 3 * pack_size<Real>;
@@ -69,6 +69,12 @@ PackForce<Real> total_force(const ForceField& field, std::int64_t node, int n_la
     const auto high = with_body(eight_vectors(added + 24));
     return {joined(low.x, high.x), joined(low.y, high.y), joined(low.z, high.z)};
   }
+}
+
+/// The first `n` lanes of a force, zero in the others.
+template <typename Real>
+PackForce<Real> first_lanes(const PackForce<Real>& force, int n) {
+  return {first_lanes(force.x, n), first_lanes(force.y, n), first_lanes(force.z, n)};
 }
 
 /// The body force alone.

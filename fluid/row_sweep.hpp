@@ -91,8 +91,10 @@ class RowSweep {
   template <typename SomePack>
   __attribute__((noinline)) void push(const SomePack& at, std::int64_t row, int x, bool added,
                                       SpeedWatch<Real>& watch) const {
-    const auto force =
+    auto force =
         added ? total_force<Real>(parts_.force, row * nx_ + x, at.n_lanes) : body_force<Real>(parts_.force);
+    // A lane beyond the row would count as a node that the force moves.
+    if (at.n_lanes < size) force = first_lanes(force, at.n_lanes);
     PackPopulations<Real> incoming;
     OutgoingMoments<Real, Pack<Real>> outgoing;  // collide() puts in the order that it needs
     at.load_to(incoming);

@@ -126,8 +126,10 @@ void advance(std::span<const MembraneStep> steps) {
   const auto check = [&](std::size_t k, Eigen::Index begin, Eigen::Index end) {
     auto& self = *membranes[k];
     for (Eigen::Index block = begin; block < end; ++block) {
-      is_bad[blocks.before(k) + block] = !self.check_block(block);
-      if (steps[k].force && !self.viscous) self.elastic_corner_forces(block, self.corner_force);
+      const bool is_sound = self.check_block(block);
+      is_bad[blocks.before(k) + block] = !is_sound;
+      // A law is never asked about an element that is turned over.
+      if (is_sound && steps[k].force && !self.viscous) self.elastic_corner_forces(block, self.corner_force);
     }
   };
   const auto take_strain = [&](std::size_t k, Eigen::Index begin, Eigen::Index end) {

@@ -15,6 +15,7 @@ struct MembraneStep {
   Eigen::Matrix3Xd* force;            ///< overwritten, 3 x n_nodes; null: check_elements() is all
 };
 
+/// The time step of membranes, each named once.
 /// For each membrane set_positions(), then add_forces() on forces that are zero. All threads (as many as the
 /// first membrane was made with) share the elements of all membranes. The forces are those of one membrane
 /// after the other, to the last bit.

@@ -1,6 +1,6 @@
 # Tests of driver; included by tests/CMakeLists.txt when the component is built.
 find_package(tomlplusplus REQUIRED)
-tanktread_test(run_test SOURCES integration/run_test.cpp integration/run_series_test.cpp integration/broken_run_test.cpp
+tanktread_test(run_test SOURCES integration/run_test.cpp integration/run_storage_test.cpp integration/run_series_test.cpp integration/broken_run_test.cpp
   integration/resume_test.cpp integration/resume_refusal_test.cpp integration/program_test.cpp
   integration/command_line_test.cpp integration/program.cpp LIBRARIES tanktread::exchange)
 target_compile_definitions(run_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")

@@ -26,9 +26,10 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<PlanArguments>();
   command->add_option("case", arguments->case_file, "Case file (TOML; docs/case-file.md)")->required();
   command->add_option("--set", arguments->assignments, "key=value, as for run")->allow_extra_args(false);
-  auto* accuracy = add_number(
-      *command, "--accuracy", arguments->accuracy,
-      "Also say how large a step keeps D within this share, e.g. 0.005 (docs/accuracy.md)", positive());
+  auto* accuracy =
+      add_number(*command, "--accuracy", arguments->accuracy,
+                 "Also say how large a step keeps D within this share, e.g. 0.005 (docs/accuracy.md)",
+                 between(1e-6, 0.5));
   command->callback([=, &exit_code] {
     const auto plan = make_plan(read_case(arguments->case_file, arguments->assignments));
     fmt::print("{}", plan.echo);

@@ -54,6 +54,8 @@ void put_flow(EchoTable& table, const Subject& subject) {
   table.row("viscosity mu_o = nu", number(p.kinematic_viscosity),
             in_si(subject, p.kinematic_viscosity, pascal_second, "Pa s"), "(tau+ - 1/2)/3, density 1");
   table.row("Reynolds number Re", number(p.reynolds_number), "", "g a^2/nu, a of capsule 0");
+  table.row("precision of the fluid", flow.storage, "", "19 numbers a node; forces and membranes are double",
+            flow.storage != FlowCase().storage);
   table.row("speed limit", number(p.speed_limit), in_si(subject, p.speed_limit, metre_per_second, "m/s"),
             "a fluid that is as fast stops the run");
   table.row("Mach number", fmt::format("{:.4g}", p.mach_number), "",

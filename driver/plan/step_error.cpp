@@ -14,6 +14,8 @@ namespace {
 constexpr double most_reynolds = 0.6, most_compression = 4.6e-3;
 constexpr double least_tau = 1.0, most_tau = 3.0;
 constexpr double least_capillary = 0.2, most_capillary = 1.2;
+constexpr double least_radius = 6.3, most_radius = 9.6;  // grid steps
+constexpr double least_box = 6.2, most_box = 9.1;        // radii, the shortest side
 
 ShapeError sum(const ShapeError& a, const ShapeError& b) {
   return {a.deformation + b.deformation, a.inclination_deg + b.inclination_deg};
@@ -75,7 +77,11 @@ std::string not_measured(const Case& the_case, const Parameters& parameters) {
   if (capsule.viscous) return "membrane.viscous: measured were elastic membranes";
   if (capsule.shear_modulus == 0) return "membrane.elastic_law: measured were laws with a shear modulus";
   const auto numbers = step_numbers(the_case, parameters);
-  for (const auto& problem : {outside("tau+", parameters.relaxation_time, least_tau, most_tau),
+  const double radius = the_case.capsules.front().radius;
+  for (const auto& problem : {outside("radius", radius, least_radius, most_radius),
+                              outside("shortest side of the box over the radius",
+                                      *std::ranges::min_element(flow.box) / radius, least_box, most_box),
+                              outside("tau+", parameters.relaxation_time, least_tau, most_tau),
                               outside("Ca_G", numbers.capillary, least_capillary, most_capillary),
                               outside("Re", numbers.reynolds, 0, most_reynolds),
                               outside("3 nu g", numbers.compression, 0, most_compression)}) {

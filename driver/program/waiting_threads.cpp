@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <latch>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -49,10 +50,17 @@ void name_this_thread(const char* name) {
   prctl(PR_SET_NAME, name);
 }
 
-/// So many can be had: libgomp would end the program if not. @throws std::system_error
+/// So many can be had at once: libgomp would end the program if not. @throws std::system_error
 void try_threads(int n) {
+  std::latch all_are_there(1);
   std::vector<std::jthread> threads;
-  for (int k = 0; k < n; ++k) threads.emplace_back([] {});
+  try {
+    for (int k = 0; k < n; ++k) threads.emplace_back([&] { all_are_there.wait(); });
+  } catch (...) {
+    all_are_there.count_down();
+    throw;
+  }
+  all_are_there.count_down();
 }
 
 /// As many threads of OpenMP as there are cores, asleep while it lives. With the two or more that wait for
@@ -61,7 +69,7 @@ class SleepingTeam {
  public:
   /// @throws std::system_error if there are no threads to be had
   SleepingTeam() {
-    try_threads(omp_get_num_procs());
+    try_threads(omp_get_num_procs() + 1);  // and the one that they are made by
     first_ = std::jthread([this](const std::stop_token& stop) {
       name_this_thread("sleeping");
 #pragma omp parallel num_threads(omp_get_num_procs())

@@ -11,7 +11,7 @@ fluid::Storage storage_of(const FlowCase& flow) {
 double fluid_memory_bytes(const FlowCase& flow) {
   const double n_nodes = 1.0 * flow.box[0] * flow.box[1] * flow.box[2];
   return n_nodes * (fluid::lattice_boltzmann_memory_per_node(storage_of(flow)) +
-                    fluid::lattice_boltzmann_state_per_node);
+                    fluid::lattice_boltzmann_force_memory_per_node + fluid::lattice_boltzmann_state_per_node);
 }
 
 std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const FlowParameters& parameters) {

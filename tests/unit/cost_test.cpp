@@ -74,8 +74,16 @@ TEST(Cost, ABoxBeyondAllMemoryIsRefusedBeforeItIsTried) {
     ADD_FAILURE() << "was not refused";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(),
-                HasSubstr("case.toml: flow.box = [100000, 100000, 100000]: needs about 3.28e+05 TB"));
+                HasSubstr("case.toml: flow.box = [100000, 100000, 100000]: needs about 3.52e+05 TB"));
   }
+}
+
+TEST(Cost, SinglePrecisionHalvesTheLattice) {
+  const double n_nodes = 100.0 * 100 * 100;
+  const auto memory = [](const std::string& storage) {
+    return cost_of({"flow.box=[100, 100, 100]", "flow.storage=" + storage}).memory_bytes;
+  };
+  EXPECT_EQ(memory("double") - memory("single"), 19 * 4 * n_nodes);
 }
 
 TEST(Cost, AnEndThatNoRunReachesIsRefused) {

@@ -49,6 +49,18 @@ TEST(CouplerStencils, TouchTheBoxOfNodesAroundANode) {
   EXPECT_TRUE(std::ranges::equal(coupler.grid_nodes(), expected));
 }
 
+TEST(CouplerStencils, AListThatIsHeldDoesNotChange) {
+  Coupler coupler(walled_in_z, kernel("cosine4"));
+  build(coupler, {{5.3, 3.9, 7.0}});
+  const auto held = coupler.grid_node_list();
+  const std::vector<std::int64_t> before = *held;
+  for (const double x : {7.1, 2.2}) {  // two builds: the lists take turns
+    build(coupler, {{x, 3.9, 7.0}});
+    EXPECT_NE(*coupler.grid_node_list(), before);
+  }
+  EXPECT_EQ(*held, before);
+}
+
 TEST(CouplerStencils, WrapAroundThePeriodicFaces) {
   Coupler coupler(walled_in_z, kernel("roma3"));
   build(coupler, {{0.4, 9.9, 7.0}});  // nearest node along x 0 (at 0.5), along y 9 (at 9.5), along z 6 and 7

@@ -295,6 +295,24 @@ TEST_P(FluidForce, doubling_all_causes_doubles_the_flow_only_without_inertia) {
   }
 }
 
+// A force against a wall moves nothing. A lane beyond the end of a row must not pass for a node that it
+// moves.
+TEST_P(FluidForce, the_highest_speed_is_that_of_a_node) {
+  for (const int nx : {8, 13, 16}) {
+    auto settings = periodic_box();
+    settings.shape = {nx, 4, 6};
+    settings.walls = WallPair{};
+    settings.body_force = {0, 0, 1e-4};
+    settings.inertia = false;
+    const auto fluid = make(settings);
+    double highest = 1.0;
+    for (int step = 0; step < 400; ++step) highest = fluid->step();
+    const double at_nodes = largest(moments(*fluid).velocity);
+    EXPECT_LT(at_nodes, 1e-5);  // F/2 is 5e-5
+    EXPECT_NEAR(highest, at_nodes, 1e-12) << "nx " << nx;
+  }
+}
+
 TEST_P(FluidForce, velocity_on_nodes_equals_moments) {
   for (const bool inertia : {true, false}) {
     auto settings = periodic_box();

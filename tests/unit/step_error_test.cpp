@@ -200,6 +200,9 @@ TEST(StepError, NothingIsSaidOfWhatWasNotMeasured) {
   EXPECT_THAT(reason({"coupler.keep_volume=true"}), HasSubstr("[coupler]"));
   EXPECT_THAT(reason({"flow.relaxation_time=3.5"}), HasSubstr("tau+ = 3.5: measured was 1 to 3"));
   EXPECT_THAT(reason({"flow.relaxation_time=0.8"}), HasSubstr("tau+"));
+  EXPECT_THAT(reason({"capsule.0.radius=5"}), HasSubstr("radius = 5: measured was 6.3 to 9.6"));
+  EXPECT_THAT(reason({"flow.box=[60, 56, 60]"}),
+              HasSubstr("over the radius = 5.864: measured was 6.2 to 9.1"));
   EXPECT_THAT(reason({"membrane.capillary_number=1.0"}), HasSubstr("Ca_G = 2: measured was 0.2 to 1.2"));
   EXPECT_THAT(reason({}, "flow.reynolds_number=1.0"), HasSubstr("Re = 1: measured was 0 to 0.6"));
   EXPECT_THAT(reason({"membrane.viscous.scheme=\"fd\"", "membrane.viscous.boussinesq_shear=1",
