@@ -35,7 +35,10 @@ void advance_phases(System& system, Passage& passage) {
   auto& coupler = *system.coupler;
   auto& seconds = system.seconds;
 
-  auto& [velocity, force, before, positions] = system.packets;
+  auto& velocity = system.packets.grid_velocity;
+  auto& force = system.packets.grid_force;
+  auto& before = system.packets.before;
+  auto& positions = system.packets.positions;
   const int threads = system.threads;
 
   // 1. u(t) on the grid nodes that the stencils at x(t) touch.
