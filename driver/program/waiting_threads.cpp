@@ -2,6 +2,7 @@
 
 #include <omp.h>
 #include <sys/prctl.h>
+#include <algorithm>
 
 #include <chrono>
 #include <condition_variable>
@@ -107,15 +108,23 @@ void watch(const std::stop_token& stop) try {
 
 bool SharedCores::observe(double run, double waited) {
   constexpr double share_that_tells = 0.1, least_seconds = 0.02;
-  constexpr int n_until_shared = 2, n_until_free = 5;
+  constexpr int n_at_first = 5, n_on_trial = 2, n_until_free = 5, n_first_trial = 10, n_longest_trial = 40;
   const double ran = run - run_, delay = waited - waited_;
   run_ = run;
   waited_ = waited;
   if (ran < 0 || delay < 0 || ran + delay < least_seconds) return shared_;
+  if (shared_ && ++n_shared_ >= n_until_trial_) {
+    shared_ = false;
+    n_shared_ = n_other_ = n_since_trial_ = 0;
+    n_until_trial_ = std::min(2 * n_until_trial_, n_longest_trial);
+    return shared_;
+  }
+  if (!shared_ && ++n_since_trial_ > n_first_trial) n_until_trial_ = n_first_trial;
   const bool now = delay > share_that_tells * (ran + delay);
   n_other_ = now == shared_ ? 0 : n_other_ + 1;
+  const int n_until_shared = n_until_trial_ == n_first_trial ? n_at_first : n_on_trial;
   if (n_other_ < (shared_ ? n_until_free : n_until_shared)) return shared_;
-  n_other_ = 0;
+  n_other_ = n_shared_ = 0;
   shared_ = now;
   return shared_;
 }

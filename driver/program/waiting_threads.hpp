@@ -26,17 +26,24 @@ namespace tanktread::driver {
 /// run.
 class SharedCores {
  public:
-  /// Takes the present times, some tenths of a second after the last ones. The cores are shared after two
+  /// Takes the present times, some tenths of a second after the last ones. The cores are shared after five
   /// times in a row in which the threads waited for more than a tenth of what they wanted to run, and free
   /// again after five in which they did not: what goes by in a moment changes nothing. Times in which they
   /// hardly wanted to run say nothing, nor do sums that are smaller, because threads have ended.
+  ///
+  /// Threads that sleep between their loops get in each other's way when they wake, which looks like another
+  /// program. So shared cores are taken for free, on trial, after ten times, and if they turn out to be
+  /// shared after 20 and then 40 more.
   /// @param run, waited seconds that all threads together have run, and waited for a core, since they began
   /// @return whether the cores are shared
   bool observe(double run, double waited);
 
  private:
   double run_ = 0, waited_ = 0;
-  int n_other_ = 0;  ///< times in a row that said the other
+  int n_other_ = 0;         ///< times in a row that said the other
+  int n_shared_ = 0;        ///< times since they are shared
+  int n_until_trial_ = 10;  ///< of these, until they are taken for free
+  int n_since_trial_ = 0;   ///< times since they are free
   bool shared_ = false;
 };
 

@@ -18,7 +18,7 @@ class Observed : public ::testing::Test {
   }
 
   void shares() {
-    goes_on(0.5);
+    for (int k = 1; k < 5; ++k) ASSERT_FALSE(goes_on(0.5)) << k;
     ASSERT_TRUE(goes_on(0.5));
   }
 
@@ -30,10 +30,10 @@ TEST_F(Observed, ThreadsThatRunHaveTheirCores) {
   for (int k = 0; k < 100; ++k) EXPECT_FALSE(goes_on(0.09)) << k;
 }
 
-TEST_F(Observed, ThreadsThatWaitTwiceInARowShareThem) {
-  EXPECT_FALSE(goes_on(0.11));
+TEST_F(Observed, ThreadsThatWaitFiveTimesInARowShareThem) {
+  for (int k = 1; k < 5; ++k) EXPECT_FALSE(goes_on(0.11)) << k;
   EXPECT_FALSE(goes_on(0));
-  EXPECT_FALSE(goes_on(0.11));
+  for (int k = 1; k < 5; ++k) EXPECT_FALSE(goes_on(0.11)) << k;
   EXPECT_TRUE(goes_on(0.11));
 }
 
@@ -43,6 +43,21 @@ TEST_F(Observed, TheyAreFreeAfterFiveQuietTimesInARow) {
   EXPECT_TRUE(goes_on(0.5));
   for (int k = 1; k < 5; ++k) EXPECT_TRUE(goes_on(0)) << k;
   EXPECT_FALSE(goes_on(0));
+}
+
+TEST_F(Observed, AreTakenForFreeOnTrialMoreAndMoreSeldom) {
+  shares();
+  for (const int n_until_trial : {10, 20, 40, 40}) {
+    for (int k = 1; k < n_until_trial; ++k) ASSERT_TRUE(goes_on(0.5)) << k << " of " << n_until_trial;
+    EXPECT_FALSE(goes_on(0.5)) << n_until_trial;  // on trial
+    EXPECT_FALSE(goes_on(0.5));
+    EXPECT_TRUE(goes_on(0.5));
+  }
+  // Once they have been free for a second all begins anew.
+  for (int k = 0; k < 20; ++k) goes_on(0);
+  shares();
+  for (int k = 1; k < 10; ++k) ASSERT_TRUE(goes_on(0.5)) << k;
+  EXPECT_FALSE(goes_on(0.5));
 }
 
 TEST_F(Observed, TimesWithoutWorkSayNothing) {
