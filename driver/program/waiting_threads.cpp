@@ -2,8 +2,8 @@
 
 #include <omp.h>
 #include <sys/prctl.h>
-#include <algorithm>
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>

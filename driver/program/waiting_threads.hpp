@@ -6,8 +6,8 @@
 // waits for would need, and a run takes ten times as long and more. No one number of spins (GOMP_SPINCOUNT)
 // is right for both: 1000 lose 3 % alone and a third beside. But "if there are more OpenMP threads than
 // available CPUs" libgomp spins a hundred times only (its manual, GOMP_SPINCOUNT), and it looks at that
-// number in every wait. So there are more while the cores are shared: another team, which sleeps. It costs
-// nothing, and is gone when the cores are free again.
+// number in every wait. So there are more while the cores are shared: another team, which sleeps. Its threads
+// take no time themselves, and it is gone when the cores are free again.
 //
 // Turned down: to set GOMP_SPINCOUNT, which libgomp reads when it is loaded, and to start the program once
 // more by exec, which debuggers and checkers of memory do not all follow; and to set it before libgomp is
@@ -33,7 +33,7 @@ class SharedCores {
   ///
   /// Threads that sleep between their loops get in each other's way when they wake, which looks like another
   /// program. So shared cores are taken for free, on trial, after ten times, and if they turn out to be
-  /// shared after 20 and then 40 more.
+  /// shared, for which two times in a row are enough then, after 20 and then 40 more.
   /// @param run, waited seconds that all threads together have run, and waited for a core, since they began
   /// @return whether the cores are shared
   bool observe(double run, double waited);
