@@ -108,7 +108,7 @@ void watch(const std::stop_token& stop) try {
 
 bool SharedCores::observe(double run, double waited) {
   constexpr double share_that_tells = 0.1, least_seconds = 0.02;
-  constexpr int n_at_first = 5, n_on_trial = 2, n_until_free = 5, n_first_trial = 10, n_longest_trial = 40;
+  constexpr int n_at_first = 5, n_on_trial = 2, n_until_free = 5, n_longest_trial = 40;
   const double ran = run - run_, delay = waited - waited_;
   run_ = run;
   waited_ = waited;

@@ -39,11 +39,13 @@ class SharedCores {
   bool observe(double run, double waited);
 
  private:
+  static constexpr int n_first_trial = 10;
+
   double run_ = 0, waited_ = 0;
-  int n_other_ = 0;         ///< times in a row that said the other
-  int n_shared_ = 0;        ///< times since they are shared
-  int n_until_trial_ = 10;  ///< of these, until they are taken for free
-  int n_since_trial_ = 0;   ///< times since they are free
+  int n_other_ = 0;                    ///< times in a row that said the other
+  int n_shared_ = 0;                   ///< times since they are shared
+  int n_until_trial_ = n_first_trial;  ///< of these, until they are taken for free
+  int n_since_trial_ = 0;              ///< times since they are free
   bool shared_ = false;
 };
 
