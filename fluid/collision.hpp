@@ -1,6 +1,7 @@
 // The collision of a pack of nodes at once: the inner loop of the program. Internal to fluid/.
 #pragma once
 
+#include <array>
 #include <utility>
 
 #include "fluid/d3q19.hpp"
@@ -67,6 +68,14 @@ inline __attribute__((always_inline)) Pack<Real> sum_of(const PackPopulations<Re
   }
 }
 
+/// sum f_i c_i. The order of the pairs is that of d3q19::velocity.
+template <typename Real>
+inline __attribute__((always_inline)) std::array<Pack<Real>, 3> momentum_of(const PackPopulations<Real>& f) {
+  return {(f[1] - f[2]) + (f[7] - f[8]) + (f[9] - f[10]) + (f[11] - f[12]) + (f[13] - f[14]),
+          (f[3] - f[4]) + (f[7] - f[8]) - (f[9] - f[10]) + (f[15] - f[16]) + (f[17] - f[18]),
+          (f[5] - f[6]) + (f[11] - f[12]) - (f[13] - f[14]) + (f[15] - f[16]) - (f[17] - f[18])};
+}
+
 /// Collides the nodes of a pack: f[i] comes in along direction i; put(i, pack) takes what goes out along the
 /// opposite of i, as soon as it is known (it need not be held in a register) and in the order of the
 /// directions that go out, to where the in-place update wants it (AA pattern).
@@ -86,10 +95,8 @@ inline __attribute__((always_inline)) void collide(const PackPopulations<Real>& 
   using Numbers = Pack<Real>;
   constexpr Real one = 1, half = 0.5;
   const Numbers density_change = sum_of<Real>(f);
-  // The order of the pairs below is that of d3q19::velocity.
-  Numbers jx = (f[1] - f[2]) + (f[7] - f[8]) + (f[9] - f[10]) + (f[11] - f[12]) + (f[13] - f[14]);
-  Numbers jy = (f[3] - f[4]) + (f[7] - f[8]) - (f[9] - f[10]) + (f[15] - f[16]) + (f[17] - f[18]);
-  Numbers jz = (f[5] - f[6]) + (f[11] - f[12]) - (f[13] - f[14]) + (f[15] - f[16]) - (f[17] - f[18]);
+  const auto momentum = momentum_of<Real>(f);
+  Numbers jx = momentum[0], jy = momentum[1], jz = momentum[2];
   if constexpr (forced) {
     jx += half * force.x;
     jy += half * force.y;

@@ -60,6 +60,20 @@ class Fluid {
   /// @throws std::invalid_argument if the sizes do not match or a node lies outside the box
   virtual void velocity(std::span<const std::int64_t> nodes, std::span<double> velocity) const = 0;
 
+  /// What the next step() will meet on the nodes asked for: a force F that is added to a node and is all of
+  /// the force field there makes its velocity
+  ///   u = velocity + mobility F,   velocity = (sum_i f_i c_i + F_b/2)/rho,   mobility = 1/(2 rho)
+  /// of the populations f_i that come in, with the uniform body force F_b (Guo et al. 2002; without inertia
+  /// rho = 1). So a force may depend on the velocity of its own time. What the force field holds at present
+  /// does not count, and nothing changes.
+  /// @param nodes linear node indices (GridShape::index)
+  /// @param velocity 3 numbers a node asked for, component fastest; overwritten
+  /// @param mobility one number a node asked for; overwritten
+  /// @throws std::invalid_argument if the sizes do not match or a node lies outside the box; std::logic_error
+  /// of a solver that cannot tell
+  virtual void free_velocity(std::span<const std::int64_t> nodes, std::span<double> velocity,
+                             std::span<double> mobility) const = 0;
+
   /// Density and velocity of every node, for output: size() and 3 size() numbers, overwritten. As velocity().
   virtual void moments(std::span<double> density, std::span<double> velocity) const = 0;
 

@@ -9,6 +9,7 @@
 #include "fluid/border_checks.hpp"
 #include "fluid/developed_flow.hpp"
 #include "fluid/force_field.hpp"
+#include "fluid/incoming_moments.hpp"
 #include "fluid/kept_velocity.hpp"
 #include "fluid/node_moments.hpp"
 #include "fluid/node_rates.hpp"
@@ -49,6 +50,19 @@ class LatticeBoltzmann final : public Fluid {
       auto reader = moment_reader();
 #pragma omp for schedule(static)
       for (std::int64_t k = 0; k < n; ++k) reader.velocity_at(nodes[k], &velocity[3 * k]);
+    }
+  }
+
+  void free_velocity(std::span<const std::int64_t> nodes, std::span<double> velocity,
+                     std::span<double> mobility) const override {
+    check_nodes("free_velocity()", nodes, velocity.size(), shape().size(), n_threads_);
+    const std::int64_t n = static_cast<std::int64_t>(nodes.size());
+    check_size("free_velocity(): mobility", mobility.size(), n);
+#pragma omp parallel num_threads(n_threads_)
+    {
+      IncomingReader<Real> reader(lattice_, force_, next_turn(), settings_.inertia);
+#pragma omp for schedule(static)
+      for (std::int64_t k = 0; k < n; ++k) reader.read(nodes[k], &velocity[3 * k], &mobility[k]);
     }
   }
 

@@ -44,6 +44,21 @@ class PlainLatticeBoltzmann final : public Fluid {
     }
   }
 
+  void free_velocity(std::span<const std::int64_t> nodes, std::span<double> velocity,
+                     std::span<double> mobility) const override {
+    check_nodes("free_velocity()", nodes, velocity.size(), shape().size());
+    check_size("free_velocity(): mobility", mobility.size(), static_cast<std::int64_t>(nodes.size()));
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const auto nx = shape().nx, ny = shape().ny;
+      const std::int64_t row = nodes[k] / nx;
+      const auto incoming =
+          stream(static_cast<int>(nodes[k] % nx), static_cast<int>(row % ny), static_cast<int>(row / ny));
+      const auto u = velocity_of(incoming, settings_.body_force, 0.5);
+      std::copy(u.begin(), u.end(), &velocity[3 * k]);
+      mobility[k] = 0.5 / inertial_density(incoming);
+    }
+  }
+
   void moments(std::span<double> density, std::span<double> velocity) const override {
     check_size("moments(): density", density.size(), shape().size());
     check_size("moments(): velocity", velocity.size(), 3 * shape().size());
@@ -136,9 +151,14 @@ class PlainLatticeBoltzmann final : public Fluid {
     return sum;
   }
 
+  /// rho, or 1 without inertia.
+  double inertial_density(const Populations& f) const {
+    return settings_.inertia ? 1.0 + density_change(f) : 1.0;
+  }
+
   /// (sum f c + share F)/rho: share 1/2 before the collision, -1/2 after it.
   Vector velocity_of(const Populations& f, const Vector& force, double share) const {
-    const double rho = settings_.inertia ? 1.0 + density_change(f) : 1.0;
+    const double rho = inertial_density(f);
     Vector u{};
     for (int component = 0; component < 3; ++component) {
       for (int i = 0; i < n_directions; ++i) u[component] += d3q19::velocity[i][component] * f[i];
@@ -180,7 +200,7 @@ class PlainLatticeBoltzmann final : public Fluid {
     const double even_rate = 1.0 / relaxation_time;
     const double odd_rate = 1.0 / odd_relaxation_time(settings_, relaxation_time);
     const double change = density_change(f);
-    const double rho = settings_.inertia ? 1.0 + change : 1.0;
+    const double rho = inertial_density(f);
     const double quadratic = settings_.inertia ? 1.0 : 0.0;
     Populations out{};
     for (int i = 0; i < n_directions; ++i) {

@@ -74,6 +74,11 @@ void OutsideFluid::velocity(std::span<const std::int64_t> nodes, std::span<doubl
   }
 }
 
+void OutsideFluid::free_velocity(std::span<const std::int64_t>, std::span<double>, std::span<double>) const {
+  throw std::logic_error(
+      "flow.command: a program in the place of the fluid is not asked for the velocity of the step to come");
+}
+
 void OutsideFluid::moments(std::span<double> density, std::span<double> velocity) const {
   check_size("moments(): density", density.size(), arrays_[0].values.size());
   check_size("moments(): velocity", velocity.size(), arrays_[1].values.size());

@@ -22,6 +22,9 @@ class OutsideFluid final : public fluid::Fluid {
 
   fluid::GridShape shape() const override { return shape_; }
   void velocity(std::span<const std::int64_t> nodes, std::span<double> velocity) const override;
+  /// @throws std::logic_error always: a program is asked for its flow after a step, not for what it would be
+  void free_velocity(std::span<const std::int64_t> nodes, std::span<double> velocity,
+                     std::span<double> mobility) const override;
   void moments(std::span<double> density, std::span<double> velocity) const override;
   void add_force(std::span<const std::int64_t> nodes, std::span<const double> force) override;
   void clear_force() override;

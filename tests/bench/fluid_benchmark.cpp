@@ -146,6 +146,35 @@ void fluid_step_with_shell(benchmark::State& state) {
   state.counters["ms_more"] = 500.0 * (median(with_shell) - median(without));
 }
 
+/// What free_velocity() on the shell takes, where a membrane asks for it: after velocity(), between two
+/// steps.
+void free_velocity_on_shell(benchmark::State& state) {
+  const auto flow = shear_flow(state);
+  const auto nodes = shell(flow->shape());
+  std::vector<double> velocity(3 * nodes.size()), force(3 * nodes.size(), 1e-6), mobility(nodes.size());
+  std::vector<double> of_last_step, of_next_step;
+  for (auto _ : state) {
+    double seconds = 0.0;
+    for (int k = 0; k < 2; ++k) {  // each turn of the in-place update
+      flow->clear_force();
+      flow->add_force(nodes, force);
+      flow->step();
+      const Stopwatch last;
+      flow->velocity(nodes, velocity);
+      of_last_step.push_back(last.seconds());
+      const Stopwatch next;
+      flow->free_velocity(nodes, velocity, mobility);
+      of_next_step.push_back(next.seconds());
+      seconds += of_next_step.back();
+      for (std::size_t i = 0; i < force.size(); ++i) force[i] = -force[i];
+    }
+    state.SetIterationTime(seconds);
+  }
+  state.counters["shell_nodes"] = static_cast<double>(nodes.size());
+  state.counters["ms_velocity"] = 1000.0 * median(of_last_step);
+  state.counters["ms_free_velocity"] = 1000.0 * median(of_next_step);
+}
+
 void sizes_of(benchmark::internal::Benchmark* benchmark, const std::vector<std::int64_t>& bytes) {
   benchmark->ArgNames({"nodes_per_edge", "bytes_of_number"})->Unit(benchmark::kMillisecond);
   for (const auto n : {60, 120, 128})  // the last is a power of two
@@ -156,6 +185,7 @@ void sizes(benchmark::internal::Benchmark* benchmark) {
 }
 BENCHMARK(fluid_step)->Apply(sizes)->UseRealTime();
 BENCHMARK(fluid_step_with_shell)->Apply(sizes)->UseManualTime();
+BENCHMARK(free_velocity_on_shell)->Apply(sizes)->UseManualTime();
 BENCHMARK(load_and_store<double>)->Apply([](auto* benchmark) { sizes_of(benchmark, {8}); }) -> UseRealTime();
 BENCHMARK(load_and_store<float>)->Apply([](auto* benchmark) { sizes_of(benchmark, {4}); }) -> UseRealTime();
 

@@ -111,17 +111,23 @@ TEST_P(FluidBorder, refuses_arrays_of_the_wrong_size) {
   const std::vector<std::int64_t> nodes = {0, 59};
   Numbers five(5), all(n), all_three(3 * n);
   EXPECT_THAT(refusal([&] { fluid->velocity(nodes, five); }), AllOf(HasSubstr("velocity"), HasSubstr("5")));
+  Numbers six(6), two(2), three(3);
+  EXPECT_THAT(refusal([&] { fluid->free_velocity(nodes, five, two); }),
+              AllOf(HasSubstr("free_velocity"), HasSubstr("5")));
+  EXPECT_THAT(refusal([&] { fluid->free_velocity(nodes, six, three); }),
+              AllOf(HasSubstr("free_velocity"), HasSubstr("mobility"), HasSubstr("3"), HasSubstr("2")));
   EXPECT_THAT(refusal([&] { fluid->add_force(nodes, five); }), AllOf(HasSubstr("add_force"), HasSubstr("5")));
   EXPECT_THAT(refusal([&] { fluid->moments(five, all_three); }), AllOf(HasSubstr("density"), HasSubstr("5")));
   EXPECT_THAT(refusal([&] { fluid->moments(all, five); }), AllOf(HasSubstr("velocity"), HasSubstr("5")));
 }
 
 TEST_P(FluidBorder, refuses_nodes_outside_the_box) {
-  Numbers three(3);
+  Numbers three(3), one(1);
   for (const std::int64_t node : {std::int64_t{-1}, std::int64_t{60}}) {
     const std::vector<std::int64_t> nodes = {node};
     const auto says = AllOf(HasSubstr("node " + std::to_string(node)), HasSubstr("0 to 59"));
     EXPECT_THAT(refusal([&] { fluid->velocity(nodes, three); }), says);
+    EXPECT_THAT(refusal([&] { fluid->free_velocity(nodes, three, one); }), says);
     EXPECT_THAT(refusal([&] { fluid->add_force(nodes, three); }), says);
   }
 }
