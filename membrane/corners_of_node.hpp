@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 namespace tanktread::membrane {
@@ -18,6 +19,11 @@ class CornersOfNode {
     for (Eigen::Index node = 0; node < n_nodes; ++node) begin_[node + 1] += begin_[node];
     auto next = begin_;
     for (Eigen::Index k = 0; k < triangles.size(); ++k) corner_[next[node_of_corner[k]]++] = k;
+  }
+
+  /// The corners of a node, 3 element + corner; empty if no triangle has it.
+  std::span<const Eigen::Index> of(Eigen::Index node) const {
+    return {corner_.data() + begin_[node], corner_.data() + begin_[node + 1]};
   }
 
   /// @param of_corners 3 x 3 n_triangles, a column a corner
