@@ -16,8 +16,8 @@ std::unique_ptr<CLI::App> command_line(int& exit_code) {
   app->set_version_flag("--version", std::string("tanktread ") + version + " (commit " + commit + ")");
   app->require_subcommand(1);
   for (const auto add :
-       {add_run_command, add_plan_command, add_membrane_command, add_coupler_command, add_fluid_command,
-        add_replay_command, add_mesh_command, add_study_command, add_diff_command}) {
+       {add_run_command, add_plan_command, add_membrane_command, add_implicit_command, add_coupler_command,
+        add_fluid_command, add_replay_command, add_mesh_command, add_study_command, add_diff_command}) {
     add(*app, exit_code);
   }
   put_missing_last(*app);

@@ -35,12 +35,17 @@ struct FlowCase {
   bool operator==(const FlowCase&) const = default;
 };
 
-/// Membrane viscosity: a Maxwell element, the dashpot mu in series with the artificial spring k' (tau =
-/// mu/k'). A spring is given in one of three forms, all with the suffix _dilatational for the second part.
+/// The scheme of a membrane viscosity whose force depends on the velocity of its own time.
+inline constexpr const char* implicit_scheme = "implicit";
+
+/// Membrane viscosity: a dashpot mu, or a Maxwell element, the dashpot in series with the artificial spring
+/// k' (tau = mu/k'). The explicit schemes cannot do without the spring. It is given in one of three forms,
+/// all with the suffix _dilatational for the second part.
 struct ViscousCase {
-  std::string scheme = "none";         ///< none | fd | int1 | int2; none: the other members have no effect
-  double boussinesq_shear = 0;         ///< Bq_s = mu_s/(mu_o a)
-  double boussinesq_dilatational = 0;  ///< Bq_d = mu_d/(mu_o a)
+  std::string scheme =
+      "none";  ///< none | implicit | fd | int1 | int2; none: the other members have no effect
+  double boussinesq_shear = 0;                   ///< Bq_s = mu_s/(mu_o a)
+  double boussinesq_dilatational = 0;            ///< Bq_d = mu_d/(mu_o a)
   std::optional<double> spring_stiffness;        ///< kappa = L k'/(U0 mu_s); without walls U0/L is g/2
   std::optional<double> spring_relaxation_time;  ///< tau g
   std::optional<double> spring_modulus;          ///< k', lattice units
@@ -49,6 +54,7 @@ struct ViscousCase {
   int interval = 1;                                    ///< N: steps between two updates of the viscous stress
   std::string strain_sampling = "latest";              ///< latest | moving-average
   std::string stress_measure = "rate-of-deformation";  ///< rate-of-deformation | rate-of-strain
+  std::string strain_rates = "nodes";                  ///< nodes | elements; of the implicit scheme
 
   bool operator==(const ViscousCase&) const = default;
 };
@@ -89,6 +95,8 @@ struct CouplerCase {
   std::string kernel = "stockie6";
   bool tangential_correction = true;  ///< where a case does not say: by the kernel
   bool keep_volume = false;
+  double implicit_tolerance = 1e-5;  ///< of implicit viscosities: of the residual, over the right side
+  int implicit_iterations = 1000;    ///< the most that a step may take
 
   bool operator==(const CouplerCase&) const = default;
 };

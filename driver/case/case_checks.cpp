@@ -91,10 +91,24 @@ void check_spring(CaseReader& reader, std::size_t capsule, const std::string& su
                   least == 1 ? "exactly" : "at most", suffix, suffix, suffix, n_given));
 }
 
+/// An implicit force needs an answer from the fluid that a program is not asked for.
+void check_implicit(CaseReader& reader, const Case& the_case, std::size_t capsule) {
+  const auto& membrane = the_case.capsules[capsule].membrane;
+  if (membrane.viscous.scheme != implicit_scheme || !membrane.command.empty() ||
+      the_case.flow.command.empty())
+    return;
+  reader.problem(
+      membrane_path(reader, "viscous.scheme", capsule),
+      "contradicts flow.command: an implicit force needs the velocity of its own time without it, which a "
+      "program in the place of the fluid is not asked for; use \"fd\" with a spring");
+}
+
 void check_viscous(CaseReader& reader, const Case& the_case, std::size_t capsule) {
   const auto& viscous = the_case.capsules[capsule].membrane.viscous;
   check_spring(reader, capsule, "_dilatational", 0);
-  check_spring(reader, capsule, "", viscous.scheme == "none" ? 0 : 1);
+  const bool needs_spring = viscous.scheme != "none" && viscous.scheme != implicit_scheme;
+  check_spring(reader, capsule, "", needs_spring ? 1 : 0);
+  check_implicit(reader, the_case, capsule);
   // A modulus k_s' alone gives no relaxation time for the dilatational spring to take over.
   const bool takes_over = !viscous.spring_stiffness_dilatational &&
                           !viscous.spring_relaxation_time_dilatational &&

@@ -10,10 +10,10 @@
 namespace tanktread::driver {
 namespace {
 
-/// "none" and the schemes; a program that knows no schemes takes any name.
+/// "none", "implicit" and the schemes of the Maxwell element; a program that knows no schemes takes any name.
 std::vector<std::string> viscous_scheme_names() {
   auto names = maxwell_scheme_names();
-  if (!names.empty()) names.insert(names.begin(), "none");
+  if (!names.empty()) names.insert(names.begin(), {"none", implicit_scheme});
   return names;
 }
 
@@ -84,6 +84,34 @@ std::string refuse_poisson_ratio(const Case& the_case, std::size_t capsule) {
   return refuse_unless_law_takes("poisson_ratio", the_case, capsule);
 }
 
+bool is_implicit(const Case& the_case, std::size_t capsule) {
+  return the_case.capsules[capsule].membrane.viscous.scheme == implicit_scheme;
+}
+
+std::string refuse_interval(const Case& the_case, std::size_t capsule) {
+  if (!is_implicit(the_case, capsule) || the_case.capsules[capsule].membrane.viscous.interval == 1) return "";
+  return "contradicts scheme = \"implicit\", which finds the viscous stress in every step; remove it";
+}
+
+std::string refuse_sampling(const Case& the_case, std::size_t capsule) {
+  if (!is_implicit(the_case, capsule)) return "";
+  return "contradicts scheme = \"implicit\", which looks at no strain; remove it";
+}
+
+std::string refuse_rate_of_strain(const Case& the_case, std::size_t capsule) {
+  const auto& viscous = the_case.capsules[capsule].membrane.viscous;
+  if (!is_implicit(the_case, capsule) || viscous.stress_measure == ViscousCase().stress_measure) return "";
+  return "contradicts scheme = \"implicit\", whose operator is that of the rate of deformation: with dE/dt "
+         "the "
+         "viscous force would not be the transpose of the rate, and the equations not symmetric; remove it, "
+         "or use scheme = \"fd\"";
+}
+
+std::string refuse_unless_implicit(const Case& the_case, std::size_t capsule) {
+  if (is_implicit(the_case, capsule)) return "";
+  return "is of scheme = \"implicit\" only; remove it";
+}
+
 template <auto member>
 using InFlow = InCase<&Case::flow, member>;
 template <auto... members>
@@ -94,7 +122,7 @@ using InViscous = InMembrane<&MembraneCase::viscous, member>;
 std::vector<Key> viscous_keys(const std::string& prefix) {
   using V = ViscousCase;
   return {
-      key<InViscous<&V::scheme>>(prefix + "scheme", "", "update of the Maxwell element; none: no viscosity")
+      key<InViscous<&V::scheme>>(prefix + "scheme", "", "how the viscous stress is found; none: no viscosity")
           .one_of(viscous_scheme_names()),
       key<InViscous<&V::boussinesq_shear>>(prefix + "boussinesq_shear", "", "Bq_s = mu_s/(mu_o a)")
           .from(0)
@@ -105,7 +133,7 @@ std::vector<Key> viscous_keys(const std::string& prefix) {
           .unless(refuse_beside_si),
       key<InViscous<&V::spring_stiffness>>(
           prefix + "spring_stiffness", "",
-          "kappa = L k'/(U0 mu_s) of the artificial spring; exactly one of the three forms")
+          "kappa = L k'/(U0 mu_s) of the artificial spring; one of the three forms, implicit: or none")
           .above(0),
       key<InViscous<&V::spring_relaxation_time>>(prefix + "spring_relaxation_time", "shear times",
                                                  "tau g, tau = mu_s/k'; in place of spring_stiffness")
@@ -126,14 +154,21 @@ std::vector<Key> viscous_keys(const std::string& prefix) {
       key<InViscous<&V::interval>>(prefix + "interval", "steps",
                                    "N, between two updates of the viscous stress")
           .from(1)
-          .to(1'000'000),
+          .to(1'000'000)
+          .unless(refuse_interval),
       key<InViscous<&V::strain_sampling>>(prefix + "strain_sampling", "",
                                           "which strain enters an update when N > 1")
-          .one_of({"latest", "moving-average"}),
+          .one_of({"latest", "moving-average"})
+          .unless(refuse_sampling),
       key<InViscous<&V::stress_measure>>(
           prefix + "stress_measure", "",
           "the rate that the viscous stress is of: D = F^-T (dE/dt) F^-1, or dE/dt")
-          .one_of({"rate-of-deformation", "rate-of-strain"}),
+          .one_of({"rate-of-deformation", "rate-of-strain"})
+          .unless(refuse_rate_of_strain),
+      key<InViscous<&V::strain_rates>>(prefix + "strain_rates", "",
+                                       "implicit: of the elements around each node, or of each element")
+          .one_of({"nodes", "elements"})
+          .unless(refuse_unless_implicit),
   };
 }
 

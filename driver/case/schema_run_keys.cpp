@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "driver/case/names.hpp"
 #include "driver/case/schema_keys.hpp"
 #include "driver/case/schema_members.hpp"
@@ -17,6 +19,13 @@ std::string with_corrected_kernels() {
                      names.empty() ? CouplerCase().kernel : fmt::format("{}", fmt::join(names, ", ")));
 }
 
+std::string refuse_without_implicit(const Case& the_case, std::size_t) {
+  const bool any = std::ranges::any_of(the_case.capsules, [](const CapsuleCase& capsule) {
+    return capsule.membrane.viscous.scheme == implicit_scheme;
+  });
+  return any ? "" : "is of membrane.viscous.scheme = \"implicit\", which no capsule has; remove it";
+}
+
 }  // namespace
 
 std::vector<Key> coupler_run_output_keys() {
@@ -31,6 +40,17 @@ std::vector<Key> coupler_run_output_keys() {
       key<InCase<&Case::coupler, &CouplerCase::keep_volume>>(
           "coupler.keep_volume", "",
           "moves nodes a little along the gradient of each capsule's volume, which stays the same then"),
+      key<InCase<&Case::coupler, &CouplerCase::implicit_tolerance>>(
+          "coupler.implicit_tolerance", "",
+          "of implicit viscous forces: residual of their equations over the right side")
+          .above(0)
+          .to(0.1)
+          .unless(refuse_without_implicit),
+      key<InCase<&Case::coupler, &CouplerCase::implicit_iterations>>(
+          "coupler.implicit_iterations", "", "the most that these equations may take in a step")
+          .from(1)
+          .to(1'000'000)
+          .unless(refuse_without_implicit),
       key<InCase<&Case::run, &RunCase::shear_time>>("run.shear_time", "shear times", "end of the run")
           .from(0)
           .free_on_resume(),

@@ -14,8 +14,9 @@ struct SurfaceArrays {
 
 /// What a membrane needs besides its positions to go on.
 struct MembraneState {
-  std::vector<double> history;  ///< membrane::Membrane::history()
-  SurfaceArrays program;        ///< OutsideMembrane::state(); empty without a program
+  /// membrane::Membrane::history(), then what ImplicitViscosity::append_to() lists.
+  std::vector<double> history;
+  SurfaceArrays program;  ///< OutsideMembrane::state(); empty without a program
 };
 
 }  // namespace tanktread::driver

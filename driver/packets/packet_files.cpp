@@ -72,6 +72,14 @@ std::vector<Eigen::Matrix3Xi> split_triangles(const exchange::SurfacePacket& fil
   return triangles;
 }
 
+/// The mobility of a packet, on the whole grid.
+Array mobility_on_grid(const GridVectors& vectors, std::size_t n_nodes) {
+  Array mobility{mobility_array, 1, std::vector<double>(n_nodes)};
+  for (std::size_t k = 0; k < vectors.nodes->size(); ++k)
+    mobility.values[static_cast<std::size_t>((*vectors.nodes)[k])] = vectors.mobility[k];
+  return mobility;
+}
+
 }  // namespace
 
 exchange::SurfacePacket surface_file(const Surfaces& surfaces, std::int64_t step) {
@@ -155,7 +163,9 @@ exchange::GridPacket grid_file(const GridVectors& vectors, const std::string& ar
   }
   exchange::GridPacket file;
   file.nodes = box;
-  file.point_data = {std::move(values), std::move(touched)};
+  file.point_data = {std::move(values)};
+  if (!vectors.mobility.empty()) file.point_data.push_back(mobility_on_grid(vectors, n_nodes));
+  file.point_data.push_back(std::move(touched));
   file.field_data = packet_header(step);
   return file;
 }
@@ -178,10 +188,14 @@ GridVectors grid_vectors_of(const exchange::GridPacket& file, const std::string&
   check_grid(file, box, name);
   const auto& found = vector_array(file.point_data, array, name);
   const auto* touched = optional_scalars(file.point_data, touched_array, name);
+  const auto* of_nodes = optional_scalars(file.point_data, mobility_array, name);
+  std::vector<double> mobility;
   if (touched == nullptr) {
     std::vector<std::int64_t> all(found.values.size() / 3);
     std::iota(all.begin(), all.end(), 0);
-    return {std::make_shared<const std::vector<std::int64_t>>(std::move(all)), found.values};
+    if (of_nodes != nullptr) mobility = of_nodes->values;
+    return {std::make_shared<const std::vector<std::int64_t>>(std::move(all)), found.values,
+            std::move(mobility)};
   }
   std::vector<std::int64_t> nodes;
   std::vector<double> values;
@@ -190,8 +204,10 @@ GridVectors grid_vectors_of(const exchange::GridPacket& file, const std::string&
     nodes.push_back(static_cast<std::int64_t>(node));
     const auto first = found.values.begin() + static_cast<std::ptrdiff_t>(3 * node);
     values.insert(values.end(), first, first + 3);
+    if (of_nodes != nullptr) mobility.push_back(of_nodes->values[node]);
   }
-  return {std::make_shared<const std::vector<std::int64_t>>(std::move(nodes)), std::move(values)};
+  return {std::make_shared<const std::vector<std::int64_t>>(std::move(nodes)), std::move(values),
+          std::move(mobility)};
 }
 
 std::vector<Array> packet_header(std::int64_t step) {

@@ -41,15 +41,19 @@ void check_sizes(const NodeVectors& vectors, const NodeVectors& like, const std:
 /// Point data of a grid that says where the vectors of a packet are: 1 there, else 0.
 inline constexpr const char* touched_array = "touched";
 
+/// Point data of the free velocity: what a force on a node adds to its velocity.
+inline constexpr const char* mobility_array = "mobility";
+
 /// Vectors on some nodes as an array on the whole grid, zero elsewhere; point data `touched` says 1 where the
-/// vectors are.
+/// vectors are. Their mobility, if they have one, is an array beside it.
 exchange::GridPacket grid_file(const GridVectors& vectors, const std::string& array, const Box& box,
                                std::int64_t step);
 
 /// @throws exchange::FileError if the grid is not the box: a whole one, its first node at 1/2, 1/2, 1/2
 void check_grid(const exchange::GridPacket& file, const Box& box, const std::string& name);
 
-/// The vectors on the nodes where `touched` is not zero, on all nodes without that array.
+/// The vectors on the nodes where `touched` is not zero, on all nodes without that array, with their mobility
+/// if there is one.
 /// @throws exchange::FileError if the grid is not the box (a whole one: its first node at 1/2, 1/2, 1/2), the
 /// array is missing or has not three components; for a later schema version
 GridVectors grid_vectors_of(const exchange::GridPacket& file, const std::string& array, const Box& box,

@@ -17,7 +17,14 @@ using NodeList = std::shared_ptr<const std::vector<std::int64_t>>;
 struct GridVectors {
   NodeList nodes = std::make_shared<const std::vector<std::int64_t>>();
   std::vector<double> values;  ///< 3 a node listed, component fastest
+  /// Of Packet::free_velocity alone, one a node listed: what a force on the node adds to its velocity.
+  std::vector<double> mobility = {};
 };
+
+/// The vectors on the nodes asked for, of vectors on these or more. What is asked for as it is, is not
+/// copied.
+/// @throws std::invalid_argument if one is missing, naming `what` is
+GridVectors on_nodes(GridVectors vectors, const NodeList& nodes, const std::string& what);
 
 /// A vector on each node of each capsule: a 3 x n matrix a capsule.
 using NodeVectors = std::vector<Eigen::Matrix3Xd>;
@@ -31,18 +38,25 @@ struct Surfaces {
   std::vector<Eigen::Matrix3Xi> triangles;  ///< corners, counted within the capsule
 };
 
-/// The packets of the step from t to t+1, in their order.
+/// The packets of the step from t to t+1, in their order. Two of them pass only where a membrane has an
+/// implicit viscosity.
 enum class Packet {
-  grid_velocity,  ///< u(t) on the grid nodes that the stencils at x(t) touch: fluid to coupler
-  node_velocity,  ///< u_m(t): coupler to membrane
-  positions,      ///< x(t+1): membrane, from the move to the forces
-  node_force,     ///< F_m(t+1): membrane to coupler
-  grid_force,     ///< F(t+1) on the nodes that the stencils at x(t+1) touch: coupler to fluid
+  grid_velocity,   ///< u(t) on the grid nodes that the stencils at x(t) touch: fluid to coupler
+  node_velocity,   ///< u_m(t): coupler to membrane
+  positions,       ///< x(t+1): membrane, from the move to the forces
+  explicit_force,  ///< F_m(t+1) without implicit viscous forces: membrane to the solution of those
+  free_velocity,   ///< u(t+1) without F(t+1), and the mobility, on the nodes that the stencils at x(t+1)
+                   ///< touch: fluid to the same
+  node_force,      ///< F_m(t+1): membrane to coupler
+  grid_force,      ///< F(t+1) on the nodes that the stencils at x(t+1) touch: coupler to fluid
 };
 
 /// All packets, in the order of the step.
-inline constexpr Packet all_packets[] = {Packet::grid_velocity, Packet::node_velocity, Packet::positions,
-                                         Packet::node_force, Packet::grid_force};
+inline constexpr Packet all_packets[] = {Packet::grid_velocity,  Packet::node_velocity, Packet::positions,
+                                         Packet::explicit_force, Packet::free_velocity, Packet::node_force,
+                                         Packet::grid_force};
+/// Whether a packet passes only where a membrane has an implicit viscosity.
+bool is_of_implicit(Packet packet);
 
 /// The name in files and folders, "grid_velocity" ...
 std::string name_of(Packet packet);

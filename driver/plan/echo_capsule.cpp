@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "driver/case/case_programs.hpp"
+#include "driver/units/laws.hpp"
 #include "driver/units/stability.hpp"
 
 namespace tanktread::driver {
@@ -26,32 +27,42 @@ void put_moduli(EchoTable& table, const Subject& subject, const CapsuleParameter
   modulus("gamma", capsule.interfacial_tension, "mu_o g a/Ca");
 }
 
+/// How stiff the spring of an explicit scheme may be.
+void put_limits(EchoTable& table, const Subject& subject, const std::string& part, double viscosity,
+                double spring, int interval) {
+  const auto& coupler = subject.the_case.coupler;
+  const double in_viscosities = stable_interval_times_spring(coupler.kernel, coupler.tangential_correction);
+  const double limit = in_viscosities * subject.parameters.kinematic_viscosity;
+  table.row(fmt::format("N k_{}'", part), number(interval * spring), "",
+            fmt::format("stable up to {:.3g} = {} mu_o", limit, in_viscosities));
+  table.row(fmt::format("largest kappa_{}", part),
+            fmt::format("{:.4g}", 2 * limit / (interval * viscosity * subject.parameters.shear_rate)), "",
+            fmt::format("that is stable at N = {}", interval));
+  table.row("largest N", fmt::format("{:.0f}", std::floor(limit / spring)), "",
+            fmt::format("that is stable with this k_{}'{}", part, spring > limit ? ": none" : ""));
+}
+
 /// A part of the viscosity: its Boussinesq number, viscosity, and spring in all three forms.
 void put_viscous_part(EchoTable& table, const Subject& subject, const std::string& part, double boussinesq,
-                      double viscosity, double spring, int interval) {
+                      double viscosity, double spring, int interval, bool is_explicit) {
   if (viscosity == 0) {
     table.row("Bq_" + part, "0");
     return;
   }
-  const double g = subject.parameters.shear_rate, tau = viscosity / spring;
-  const auto& coupler = subject.the_case.coupler;
-  const double in_viscosities = stable_interval_times_spring(coupler.kernel, coupler.tangential_correction);
-  const double limit = in_viscosities * subject.parameters.kinematic_viscosity;
   table.row("Bq_" + part, number(boussinesq), "", fmt::format("mu_{}/(mu_o a)", part));
   table.row("mu_" + part, number(viscosity), in_si(subject, viscosity, newton_second_per_metre, "N s/m"),
             fmt::format("Bq_{} mu_o a", part));
+  if (spring == 0) {
+    table.row(fmt::format("k_{}'", part), "none", "", "a dashpot without a spring");
+    return;
+  }
+  const double g = subject.parameters.shear_rate, tau = viscosity / spring;
   table.row(fmt::format("kappa_{}", part), number(2 / (tau * g)), "",
             subject.the_case.flow.kind == "periodic" ? fmt::format("2 k_{0}'/(g mu_{0})", part)
                                                      : fmt::format("L k_{0}'/(U0 mu_{0})", part));
   table.row(fmt::format("k_{}'", part), number(spring), in_si(subject, spring, newton_per_metre, "N/m"),
             fmt::format("kappa_{0} g mu_{0}/2", part));
-  table.row(fmt::format("N k_{}'", part), number(interval * spring), "",
-            fmt::format("stable up to {:.3g} = {} mu_o", limit, in_viscosities));
-  table.row(fmt::format("largest kappa_{}", part),
-            fmt::format("{:.4g}", 2 * limit / (interval * viscosity * g)), "",
-            fmt::format("that is stable at N = {}", interval));
-  table.row("largest N", fmt::format("{:.0f}", std::floor(limit / spring)), "",
-            fmt::format("that is stable with this k_{}'{}", part, spring > limit ? ": none" : ""));
+  if (is_explicit) put_limits(table, subject, part, viscosity, spring, interval);
   table.row(fmt::format("tau_{}", part), number(tau), in_si(subject, tau, second, "s"),
             fmt::format("mu_{0}/k_{0}'; the element relaxes in twice that", part));
   table.row(fmt::format("tau_{} g", part), number(tau * g), "", fmt::format("g mu_{0}/k_{0}'", part));
@@ -64,13 +75,19 @@ void put_viscosity(EchoTable& table, const Subject& subject, const CapsuleParame
     return;
   }
   const auto& law = *capsule.viscous;
-  table.row("viscous scheme", viscous.scheme, "", viscous.stress_measure);
+  const bool is_explicit = !is_implicit(law);
+  table.row("viscous scheme", viscous.scheme, "",
+            is_explicit ? viscous.stress_measure
+                        : fmt::format("strain rates by {}, to {:g} in at most {} iterations",
+                                      viscous.strain_rates, subject.the_case.coupler.implicit_tolerance,
+                                      subject.the_case.coupler.implicit_iterations));
   table.row("interval N", fmt::format("{}", viscous.interval), "",
-            viscous.strain_sampling == "latest" ? "steps; latest strain" : "steps; mean of the N strains");
+            viscous.strain_sampling == "latest" ? "steps; latest strain" : "steps; mean of the N strains",
+            is_explicit);
   put_viscous_part(table, subject, "s", viscous.boussinesq_shear, law.shear_viscosity, law.shear_spring,
-                   law.interval);
+                   law.interval, is_explicit);
   put_viscous_part(table, subject, "d", viscous.boussinesq_dilatational, law.dilatational_viscosity,
-                   law.dilatational_spring, law.interval);
+                   law.dilatational_spring, law.interval, is_explicit);
 }
 
 }  // namespace

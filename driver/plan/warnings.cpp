@@ -8,6 +8,7 @@
 #include "coupler/coupler.hpp"
 #include "driver/case/case_geometry.hpp"
 #include "driver/plan/warnings_si.hpp"
+#include "driver/units/laws.hpp"
 #include "driver/units/schedule.hpp"
 #include "driver/units/stability.hpp"
 
@@ -178,7 +179,7 @@ void warn_of_viscosity(Lines& lines, std::size_t number, const Case& the_case, c
   }
   const auto& law = *p.capsules[number].viscous;
   for (const auto& part : parts_of(law)) {
-    if (part.viscosity == 0) continue;
+    if (part.viscosity == 0 || is_implicit(law)) continue;
     warn_of_interval(lines, number, law.interval, part);
     warn_of_stability(lines, number, law.interval, part, p.kinematic_viscosity, the_case.coupler);
   }

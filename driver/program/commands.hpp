@@ -10,6 +10,7 @@ namespace tanktread::driver {
 void add_run_command(CLI::App& app, int& exit_code);
 void add_plan_command(CLI::App& app, int& exit_code);
 void add_membrane_command(CLI::App& app, int& exit_code);
+void add_implicit_command(CLI::App& app, int& exit_code);
 void add_coupler_command(CLI::App& app, int& exit_code);
 void add_fluid_command(CLI::App& app, int& exit_code);
 void add_replay_command(CLI::App& app, int& exit_code);

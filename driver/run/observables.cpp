@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "driver/system/phases.hpp"
 #include "membrane/shape.hpp"
 
 namespace tanktread::driver {
 
 std::vector<Observation> observe(const System& system, const Case& the_case) {
   std::vector<Observation> observations;
+  const bool has_iterations = any_implicit(system.membranes);
   for (std::size_t k = 0; k < system.membranes.size(); ++k) {
     const auto& membrane = system.membranes[k];
     const auto& reference = membrane.reference();
@@ -32,15 +34,17 @@ std::vector<Observation> observe(const System& system, const Case& the_case) {
     row.x = moments.centroid[0];
     row.y = moments.centroid[1];
     row.z = moments.centroid[2];
+    if (has_iterations) row.viscous_iterations = system.viscous_iterations;
     observations.push_back(row);
   }
   return observations;
 }
 
-std::string observables_header() {
-  return "step,shear_time,deformation,inclination_deg,length,width,breadth,volume_ratio,area_ratio,elastic_"
-         "energy,"
-         "max_speed,capsule,x,y,z\n";
+std::string observables_header(bool has_iterations) {
+  return std::string(
+             "step,shear_time,deformation,inclination_deg,length,width,breadth,volume_ratio,area_ratio,"
+             "elastic_energy,max_speed,capsule,x,y,z") +
+         (has_iterations ? ",viscous_iterations\n" : "\n");
 }
 
 std::string observables_row(const Observation& o) {
@@ -49,7 +53,9 @@ std::string observables_row(const Observation& o) {
                              o.volume_ratio, o.area_ratio, o.elastic_energy, o.max_speed}) {
     row += fmt::format(",{:.17g}", value);
   }
-  return row + fmt::format(",{},{:.17g},{:.17g},{:.17g}\n", o.capsule, o.x, o.y, o.z);
+  row += fmt::format(",{},{:.17g},{:.17g},{:.17g}", o.capsule, o.x, o.y, o.z);
+  if (o.viscous_iterations) row += fmt::format(",{}", *o.viscous_iterations);
+  return row + "\n";
 }
 
 }  // namespace tanktread::driver

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,13 +22,16 @@ struct Observation {
   double max_speed = 0;                       ///< of the fluid, grid steps a step
   int capsule = 0;
   double x = 0, y = 0, z = 0;  ///< centroid of the enclosed volume, grid steps (not wrapped)
+  /// Of the last step, for the implicit viscous forces of all capsules; none: there are no such forces.
+  std::optional<int> viscous_iterations = std::nullopt;
 };
 
 /// Measures all capsules. The shear plane is that of flow and wall axis.
 std::vector<Observation> observe(const System& system, const Case& the_case);
 
-/// First line of observables.csv.
-std::string observables_header();
+/// First line of observables.csv. @param has_iterations of a case with an implicit viscosity: a last column
+/// more
+std::string observables_header(bool has_iterations = false);
 /// A row, 17 significant digits, so that a double survives.
 std::string observables_row(const Observation& observation);
 

@@ -6,7 +6,6 @@
 #include <charconv>
 #include <fstream>
 
-#include "driver/run/observables.hpp"
 #include "exchange/shell_text.hpp"
 #include "exchange/vtk_files.hpp"
 
@@ -14,9 +13,10 @@ namespace tanktread::driver {
 namespace {
 
 /// Why the first line is not the table's header.
-std::string header_fault(const std::filesystem::path& file, const std::string& line) {
-  if (line + "\n" == observables_header()) return "";
-  if (line + "\n" == observables_header().substr(0, observables_header().size() - 1) + "\r\n") {
+std::string header_fault(const std::filesystem::path& file, const std::string& line,
+                         const std::string& header) {
+  if (line + "\n" == header) return "";
+  if (line + "\n" == header.substr(0, header.size() - 1) + "\r\n") {
     return fmt::format(
         "has Windows line ends, so another program has written it; remove them, for example with "
         "sed -i 's/\\r$//' {}",
@@ -26,10 +26,9 @@ std::string header_fault(const std::filesystem::path& file, const std::string& l
 }
 
 /// The step of a row; -1 if it is no row.
-std::int64_t step_of_row(const std::string& line) {
+std::int64_t step_of_row(const std::string& line, const std::string& header) {
   std::int64_t step = -1;
   const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), step);
-  const auto header = observables_header();
   const bool has_all_cells = std::ranges::count(line, ',') == std::ranges::count(header, ',') &&
                              !line.ends_with(',') && !line.ends_with('\r');
   return error == std::errc() && *end == ',' && has_all_cells ? step : -1;
@@ -37,16 +36,16 @@ std::int64_t step_of_row(const std::string& line) {
 
 }  // namespace
 
-std::vector<TableRow> read_observables(const std::filesystem::path& file) {
+std::vector<TableRow> read_observables(const std::filesystem::path& file, const std::string& header) {
   std::ifstream input(file, std::ios::binary);
   std::string line;
   if (!input || !std::getline(input, line))
     throw exchange::FileError(fmt::format("{}: is missing, empty or cannot be read", file.string()));
-  const auto fault = header_fault(file, line);
+  const auto fault = header_fault(file, line, header);
   if (!fault.empty()) throw exchange::FileError(fmt::format("{}: {}", file.string(), fault));
   std::vector<TableRow> rows;
   while (std::getline(input, line) && !input.eof()) {  // without its line end a row is not whole
-    const auto step = step_of_row(line);
+    const auto step = step_of_row(line, header);
     if (step < 0 || (!rows.empty() && step < rows.back().step)) {
       throw exchange::FileError(
           fmt::format("{}: line {} is no row of the table; put the run's own table there", file.string(),
@@ -57,8 +56,9 @@ std::vector<TableRow> read_observables(const std::filesystem::path& file) {
   return rows;
 }
 
-void write_observables(const std::filesystem::path& file, const std::vector<TableRow>& rows) {
-  auto text = observables_header();
+void write_observables(const std::filesystem::path& file, const std::string& header,
+                       const std::vector<TableRow>& rows) {
+  auto text = header;
   for (const auto& row : rows) text += row.text;
   exchange::write_text(file, text);
 }

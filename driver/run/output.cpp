@@ -8,6 +8,7 @@
 #include "driver/packets/fluid_files.hpp"
 #include "driver/run/observables_table.hpp"
 #include "driver/system/membrane_files.hpp"
+#include "driver/units/laws.hpp"
 #include "exchange/atomic_file.hpp"
 #include "exchange/vtk_files.hpp"
 
@@ -28,9 +29,9 @@ bool may_be_begun(const std::filesystem::path& table, const ResumePoint& point) 
 }
 
 /// @throws exchange::FileError if rows are missing
-void check_rows(const std::filesystem::path& table, const ResumePoint& point) {
+void check_rows(const std::filesystem::path& table, const std::string& header, const ResumePoint& point) {
   if (may_be_begun(table, point)) return;
-  auto rows = read_observables(table);
+  auto rows = read_observables(table, header);
   std::erase_if(rows, [&](const TableRow& row) { return !was_due(row.step, point); });
   const auto n_there = static_cast<std::int64_t>(rows.size());
   const auto last = rows.empty() ? -1 : rows.back().step;
@@ -45,14 +46,15 @@ void check_rows(const std::filesystem::path& table, const ResumePoint& point) {
 }
 
 /// Cuts a table back to the point. @return how many rows it then has
-std::int64_t cut_table(const std::filesystem::path& table, const ResumePoint& point, const Schedule& now) {
+std::int64_t cut_table(const std::filesystem::path& table, const std::string& header,
+                       const ResumePoint& point, const Schedule& now) {
   std::vector<TableRow> rows;
-  if (!may_be_begun(table, point)) rows = read_observables(table);
+  if (!may_be_begun(table, point)) rows = read_observables(table, header);
   // All before the point stays, whatever the schedule has become: nothing that was asked for is lost.
   std::erase_if(rows, [&](const TableRow& row) {
     return !was_due(row.step, point) && !(row.step == point.step && now.due(row.step));
   });
-  write_observables(table, rows);
+  write_observables(table, header, rows);
   return static_cast<std::int64_t>(rows.size());
 }
 
@@ -74,19 +76,20 @@ OutputSchedules output_schedules(const Case& the_case, const FlowParameters& par
 Output::Output(const Case& the_case, const Parameters& parameters, std::filesystem::path directory)
     : case_(the_case),
       directory_(std::move(directory)),
+      header_(observables_header(any_implicit(the_case, parameters))),
       shear_rate_(parameters.shear_rate),
       observables_(schedule_of(the_case.output.observables_every, parameters)),
       membrane_(directory_, "membrane", "vtu", schedule_of(the_case.output.membrane_every, parameters)),
       fluid_(directory_, "fluid", "vti", schedule_of(the_case.output.fluid_every, parameters)) {}
 
 void Output::begin() {
-  exchange::write_text(directory_ / "observables.csv", observables_header());
+  exchange::write_text(directory_ / "observables.csv", header_);
   membrane_.begin();
   fluid_.begin();
 }
 
 void Output::check(const ResumePoint& point) const {
-  check_rows(directory_ / "observables.csv", point);
+  check_rows(directory_ / "observables.csv", header_, point);
   membrane_.remark(point.step, membrane_.steps_kept(point.step, point.schedules.membrane));
   fluid_.remark(point.step, fluid_.steps_kept(point.step, point.schedules.fluid));
 }
@@ -98,7 +101,7 @@ void Output::resume(const ResumePoint& point) {
   say_remark(fluid_, point.step, fluid);
   std::vector<std::int64_t> times;
   std::ranges::set_union(membrane, fluid, std::back_inserter(times));
-  n_rows_ = cut_table(directory_ / "observables.csv", point, observables_);
+  n_rows_ = cut_table(directory_ / "observables.csv", header_, point, observables_);
   membrane_.cut(membrane, times, shear_rate_);
   fluid_.cut(fluid, times, shear_rate_);
 }

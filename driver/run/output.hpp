@@ -58,6 +58,7 @@ class Output {
 
   const Case& case_;
   std::filesystem::path directory_;
+  std::string header_;  ///< of the table
   double shear_rate_;
   Schedule observables_;
   std::int64_t n_rows_ = 0;

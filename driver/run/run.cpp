@@ -14,6 +14,7 @@
 #include "driver/run/progress.hpp"
 #include "driver/stages/file_passage.hpp"
 #include "driver/system/step.hpp"
+#include "driver/units/laws.hpp"
 #include "driver/units/parameters_file.hpp"
 #include "exchange/shell_text.hpp"
 #include "exchange/vtk_files.hpp"
@@ -91,7 +92,7 @@ std::unique_ptr<Passage> make_passage(const PacketOptions& packets, const Plan& 
   const auto last_step = last_step_of(plan.the_case, plan.parameters);
   write_echo(plan, packets.record);
   return std::make_unique<Recorder>(packets.record, recorded_steps(packets, first_step, last_step),
-                                    plan.the_case);
+                                    plan.the_case, any_implicit(plan.the_case, plan.parameters));
 }
 
 /// A step and what is due after it. @return the seconds that the files of that took

@@ -27,6 +27,8 @@ void add_fluid_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--out", stage.out, "State to write (.vti)")->required();
   command->add_option("--fields", stage.fields, "Grid file to write too: density, velocity, force");
+  command->add_option("--free", stage.free,
+                      "Grid file to write too: velocity of the next step without forces, and mobility");
   command->callback([=, &exit_code] {
     arguments->stage.the_case = arguments->the_case.read({.meshes = false, .membrane_programs = false});
     run_stage(arguments->stage);

@@ -91,7 +91,7 @@ void add_replay_command(CLI::App& app, int& exit_code) {
   command->add_option("record", options->record, "Directory of tanktread run --record")->required();
   command->add_option("--only", options->component, "The component")
       ->required()
-      ->check(CLI::IsMember({"membrane", "coupler", "fluid"}));
+      ->check(CLI::IsMember({"membrane", "implicit", "coupler", "fluid"}));
   command
       ->add_option(
           "--set", options->assignments,

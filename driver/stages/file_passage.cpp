@@ -1,5 +1,7 @@
 #include "driver/stages/file_passage.hpp"
 
+#include <numeric>
+
 #include "driver/packets/packet_folder.hpp"
 #include "driver/system/membrane_files.hpp"
 #include "driver/system/state_folder.hpp"
@@ -21,6 +23,10 @@ void write_packet(const std::filesystem::path& file, const System& system, Packe
     std::vector<double> density(static_cast<std::size_t>(system.fluid->shape().size()));
     // The same numbers on the nodes that are touched: both come from the same populations and forces.
     system.fluid->moments(density, content.point_data[0].values);
+  } else if (packet == Packet::free_velocity) {
+    std::vector<std::int64_t> all(static_cast<std::size_t>(system.fluid->shape().size()));
+    std::iota(all.begin(), all.end(), 0);
+    system.fluid->free_velocity(all, content.point_data[0].values, content.point_data[1].values);
   }
   exchange::write_grid(file, content);
 }
@@ -52,9 +58,11 @@ void FilePassage::pass(const System& system, Packet packet, NodeVectors& vectors
   vectors = read_node_packet(file, packet, vectors, system.step + 1);
 }
 
-Recorder::Recorder(std::filesystem::path directory, RecordedSteps steps, const Case& the_case)
+Recorder::Recorder(std::filesystem::path directory, RecordedSteps steps, const Case& the_case,
+                   bool has_implicit)
     : directory_(std::move(directory)), steps_(steps), case_(the_case) {
   for (const auto packet : all_packets) {
+    if (is_of_implicit(packet) && !has_implicit) continue;
     std::filesystem::create_directories(directory_ / name_of(packet));
     exchange::write_series(directory_ / (name_of(packet) + ".pvd"), {});
   }

@@ -33,7 +33,8 @@ struct RecordedSteps {
 class Recorder : public Passage {
  public:
   /// @param the_case of the run; it must outlive the recorder
-  Recorder(std::filesystem::path directory, RecordedSteps steps, const Case& the_case);
+  /// @param has_implicit the packets of implicit viscosities will pass too
+  Recorder(std::filesystem::path directory, RecordedSteps steps, const Case& the_case, bool has_implicit);
   void pass(const System& system, Packet packet, GridVectors& vectors) override;
   void pass(const System& system, Packet packet, NodeVectors& vectors) override;
   void step_done(const System& system) override;

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <memory>
+#include <numeric>
+
 #include "driver/packets/fluid_files.hpp"
 #include "driver/packets/packet_files.hpp"
 #include "driver/packets/saved_state.hpp"
@@ -37,14 +40,27 @@ void take_steps(fluid::Fluid& fluid, const FluidStage& stage) {
 
 void check_places(const FluidStage& stage) {
   // A state may be carried on in its place.
-  const std::vector<NamedFile> inputs = {{"--force", stage.force}};
-  check_output({"--out", stage.out}, grid_output(), inputs);
-  if (stage.fields.empty()) return;
-  check_output({"--fields", stage.fields}, grid_output(),
-               {{"--state", stage.state}, {"--force", stage.force}});
-  if (std::filesystem::weakly_canonical(stage.fields) == std::filesystem::weakly_canonical(stage.out)) {
-    throw InputError("--fields and --out name one file, " + stage.out.string() + "; give two names");
+  check_output({"--out", stage.out}, grid_output(), {{"--force", stage.force}});
+  std::vector<NamedFile> before = {{"--out", stage.out}};
+  for (const auto& output : {NamedFile{"--fields", stage.fields}, NamedFile{"--free", stage.free}}) {
+    if (output.file.empty()) continue;
+    check_output(output, grid_output(), {{"--state", stage.state}, {"--force", stage.force}});
+    for (const auto& other : before) {
+      if (std::filesystem::weakly_canonical(output.file) != std::filesystem::weakly_canonical(other.file))
+        continue;
+      throw InputError(fmt::format("{} and {} name one file, {}; give two names", output.option, other.option,
+                                   other.file.string()));
+    }
+    before.push_back(output);
   }
+}
+
+/// That of the step which follows on `step`.
+void write_free_velocity(const fluid::Fluid& fluid, const FluidStage& stage, std::int64_t step) {
+  std::vector<std::int64_t> all(static_cast<std::size_t>(fluid.shape().size()));
+  std::iota(all.begin(), all.end(), 0);
+  const auto free = free_velocity(fluid, std::make_shared<const std::vector<std::int64_t>>(std::move(all)));
+  exchange::write_grid(stage.free, grid_file(free, "velocity", stage.the_case.flow.box, step + 1));
 }
 
 void run(const FluidStage& stage) {
@@ -61,6 +77,7 @@ void run(const FluidStage& stage) {
   auto state = fluid->state();
   const auto step = state.step;
   exchange::write_grid(stage.out, state_file(std::move(state), fluid->shape()));
+  if (!stage.free.empty()) write_free_velocity(*fluid, stage, step);
   if (stage.fields.empty()) return;
   exchange::write_grid(stage.fields,
                        flow_file(*fluid, std::nullopt, step, static_cast<double>(step) * numbers.shear_rate));

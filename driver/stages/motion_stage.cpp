@@ -14,6 +14,7 @@
 #include "driver/system/components.hpp"
 #include "driver/system/membrane_files.hpp"
 #include "driver/system/phases.hpp"
+#include "driver/units/laws.hpp"
 #include "driver/units/schedule.hpp"
 #include "exchange/vtk_files.hpp"
 
@@ -135,6 +136,7 @@ void follow(const Motion& motion, std::vector<CapsuleMembrane>& membranes, const
       for (std::size_t k = 0; k < membranes.size(); ++k) velocity[k] = next[k] - positions[k];
       positions = std::move(next);
       force = nodal_forces(membranes, positions, velocity, step);
+      add_viscous_forces_of(membranes, velocity, force);
     }
     if (step != *due) continue;
     const double shear_time = static_cast<double>(step) * numbers.shear_rate;
@@ -145,15 +147,16 @@ void follow(const Motion& motion, std::vector<CapsuleMembrane>& membranes, const
   }
 }
 
-/// A viscous law has no history but that of the stress-free shape: from elsewhere the first step would be a
-/// jump.
+/// A Maxwell element has no history but that of the stress-free shape: from elsewhere the first step would be
+/// a jump.
 void require_rest(const MotionStage& stage, const Parameters& numbers,
                   std::vector<CapsuleMembrane>& membranes, const NodeVectors& start) {
   constexpr double rounding = 1e-6;
   for (std::size_t k = 0; k < membranes.size(); ++k) {
     membranes[k].set_positions(start[k]);
     const auto stretches = membranes[k].element_fields().principal_stretches;
-    if (!numbers.capsules[k].viscous || (stretches.array() - 1).abs().maxCoeff() < rounding) continue;
+    const auto& viscous = numbers.capsules[k].viscous;
+    if (!viscous || is_implicit(*viscous) || (stretches.array() - 1).abs().maxCoeff() < rounding) continue;
     throw InputError(fmt::format(
         "{}: capsule {} is deformed at the beginning; with a membrane viscosity a motion must begin "
         "with the stress-free shape",

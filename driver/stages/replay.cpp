@@ -14,6 +14,8 @@ void replay_component(ReplayRecord& record, const std::string& component, const 
   try {
     if (component == "membrane") {
       replay_membrane(record, the_case);
+    } else if (component == "implicit") {
+      replay_implicit(record, the_case);
     } else if (component == "coupler") {
       replay_coupler(record, the_case);
     } else {

@@ -13,7 +13,7 @@ namespace tanktread::driver {
 /// What `tanktread replay` was told.
 struct ReplayOptions {
   std::filesystem::path record;          ///< the directory of `tanktread run --record`
-  std::string component;                 ///< membrane | coupler | fluid
+  std::string component;                 ///< membrane | implicit | coupler | fluid
   std::vector<std::string> assignments;  ///< settings that differ from those recorded
   std::filesystem::path out;  ///< a new directory for the differences as fields; "": none are written
 };
@@ -31,6 +31,9 @@ struct ReplayedArray {
 /// - membrane: node_velocity and the positions before it -> positions; positions -> node_force; its history
 /// at
 ///   the end
+/// - implicit: what membrane and coupler find together for an implicit viscosity: positions, explicit_force,
+///   free_velocity -> node_force; all histories at the end. Then the membrane gives explicit_force in the
+///   place of node_force, its history is not compared, and the fluid gives free_velocity too
 /// - coupler: positions, grid_velocity (and with coupler.tangential_correction the node_force before) ->
 ///   node_velocity; positions, node_force -> grid_force
 /// - fluid: grid_force -> grid_velocity of the next step; its whole state at the end

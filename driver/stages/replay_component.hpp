@@ -10,6 +10,7 @@ namespace tanktread::driver {
 /// What is fed and compared: replay.hpp. @throws std::invalid_argument if the record does not fit the case;
 /// InputError, RunError
 void replay_membrane(ReplayRecord& record, const Case& the_case);
+void replay_implicit(ReplayRecord& record, const Case& the_case);
 void replay_coupler(ReplayRecord& record, const Case& the_case);
 void replay_fluid(ReplayRecord& record, const Case& the_case);
 

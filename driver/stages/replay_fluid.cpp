@@ -13,6 +13,10 @@ void feed(ReplayRecord& record, const Case& the_case) {
   for (auto step = record.first_step(); step <= record.last_step(); ++step) {
     record.compare(Packet::grid_velocity, step,
                    grid_velocity(*fluid, record.grid(Packet::grid_velocity, step, true).nodes));
+    if (record.has_implicit()) {
+      record.compare(Packet::free_velocity, step,
+                     free_velocity(*fluid, record.grid(Packet::free_velocity, step, true).nodes));
+    }
     advance_fluid(*fluid, record.grid(Packet::grid_force, step));
   }
   record.compare_end(state_file(fluid->state(), fluid->shape()));

@@ -81,6 +81,10 @@ ReplayRecord::ReplayRecord(const ReplayOptions& options) : directory_(options.re
   if (last_step_ <= begin_.step) throw InputError(directory_.string() + ": holds no whole step");
 }
 
+bool ReplayRecord::has_implicit() const {
+  return std::filesystem::exists(packet_path(directory_, Packet::free_velocity, first_step()));
+}
+
 NodeVectors ReplayRecord::positions_before(std::int64_t step) const {
   return step == first_step() ? begin_.positions : nodes(Packet::positions, step - 1);
 }
@@ -150,7 +154,7 @@ void ReplayRecord::compare(Packet packet, std::int64_t step, const GridVectors& 
   const auto file = packet_path(directory_, packet, step);
   const auto recorded = exchange::read_grid(file);
   auto now = grid_file(given, array_of(packet), box_, step);
-  if (packet == Packet::grid_velocity)
+  if (packet == Packet::grid_velocity || packet == Packet::free_velocity)
     now.point_data.back() = exchange::find_array(recorded.point_data, touched_array, file.string());
   add(step, name_of(packet), file, recorded, now);
   write_field(packet, step, recorded, now, array_of(packet));

@@ -21,6 +21,8 @@ class ReplayRecord {
   const SavedState& begin() const { return begin_; }
   std::int64_t first_step() const { return begin_.step + 1; }
   std::int64_t last_step() const { return last_step_; }
+  /// Whether it has the packets of implicit viscosities.
+  bool has_implicit() const;
 
   /// The positions that the step which makes `step` begins with.
   NodeVectors positions_before(std::int64_t step) const;

@@ -11,7 +11,8 @@
 
 namespace tanktread::driver {
 
-/// `tanktread membrane`: strain, stress, nodal forces and new history of all capsules.
+/// `tanktread membrane`: strain, stress, nodal forces and new history of all capsules; without implicit
+/// viscous forces, which ImplicitStage adds.
 struct MembraneStage {
   Case the_case;
   std::filesystem::path in;     ///< a surface file; "": the start of the case, at rest
@@ -23,7 +24,8 @@ struct MembraneStage {
 /// turns over
 void run_stage(const MembraneStage& stage);
 
-/// `tanktread membrane --motion`: the membrane under a motion that is given, time step by time step.
+/// `tanktread membrane --motion`: the membrane under a motion that is given, time step by time step. An
+/// implicit viscosity takes the velocity of the motion.
 struct MotionStage {
   Case the_case;
   std::filesystem::path series;  ///< a .pvd of surfaces, interpolated linearly in time; "": a twist about z
@@ -35,6 +37,16 @@ struct MotionStage {
 };
 /// @throws as above
 void run_stage(const MotionStage& stage);
+
+/// `tanktread implicit`: the implicit viscous forces, which membrane, coupler and fluid find together.
+struct ImplicitStage {
+  Case the_case;
+  std::filesystem::path in;  ///< an output of the membrane stage: nodes, total_force without them, histories
+  std::filesystem::path grid;  ///< free_velocity of the fluid stage: point data velocity and mobility
+  std::filesystem::path out;   ///< the surface file to write: `in` with all forces, and new histories
+};
+/// @throws as above; RunError if the equations are not solved
+void run_stage(const ImplicitStage& stage);
 
 /// `tanktread coupler spread`: nodal forces to the grid.
 struct SpreadStage {
@@ -62,6 +74,7 @@ struct FluidStage {
   std::int64_t n_steps = 1;
   std::filesystem::path out;     ///< the state to write
   std::filesystem::path fields;  ///< a grid file with density, velocity, force to write too; "": none
+  std::filesystem::path free;    ///< a grid file with the free velocity of the next step, mobility; "": none
 };
 void run_stage(const FluidStage& stage);
 

@@ -1,6 +1,8 @@
 #include "driver/system/capsule_membrane.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <span>
 
 namespace tanktread::driver {
 namespace {
@@ -21,8 +23,16 @@ Eigen::Matrix<double, rows, Eigen::Dynamic> said(const std::vector<exchange::Arr
 
 }  // namespace
 
-CapsuleMembrane::CapsuleMembrane(membrane::Membrane membrane, std::unique_ptr<OutsideMembrane> program)
-    : membrane_(std::move(membrane)), program_(std::move(program)) {}
+CapsuleMembrane::CapsuleMembrane(membrane::Membrane membrane, std::unique_ptr<OutsideMembrane> program,
+                                 std::unique_ptr<membrane::ImplicitViscosity> implicit)
+    : membrane_(std::move(membrane)), program_(std::move(program)), implicit_(std::move(implicit)) {
+  if (implicit_) implicit_->set_positions(membrane_.positions());
+}
+
+void CapsuleMembrane::set_positions(const Eigen::Ref<const Eigen::Matrix3Xd>& positions) {
+  membrane_.set_positions(positions);
+  if (implicit_) implicit_->set_positions(positions);
+}
 
 membrane::MembraneStep CapsuleMembrane::step_to(const Eigen::Matrix3Xd& positions, Eigen::Matrix3Xd& force) {
   force.resize(3, n_nodes());
@@ -46,6 +56,9 @@ membrane::ElementFields CapsuleMembrane::element_fields() const {
     const auto& cell_data = program_->state().cell_data;
     fields.stress = said<9>(cell_data, "stress", n_triangles());
     fields.viscous_stress = said<9>(cell_data, "viscous_stress", n_triangles());
+  } else if (implicit_) {
+    fields.viscous_stress = implicit_->rates().stress(implicit_->stress());
+    fields.stress += fields.viscous_stress;
   }
   return fields;
 }
@@ -55,11 +68,21 @@ double CapsuleMembrane::elastic_energy() const {
 }
 
 MembraneState CapsuleMembrane::state() const {
-  return {membrane_.history(), program_ ? program_->state() : SurfaceArrays()};
+  MembraneState state{membrane_.history(), program_ ? program_->state() : SurfaceArrays()};
+  if (implicit_) implicit_->append_to(state.history);
+  return state;
 }
 
 void CapsuleMembrane::restore(const MembraneState& state) {
-  membrane_.restore_history(state.history);
+  if (implicit_) {
+    // Both parts are checked before one of them is taken.
+    const auto& history = state.history;
+    const auto n_elastic = history.size() - std::min(history.size(), implicit_->n_values());
+    membrane_.restore_history({history.begin(), history.begin() + static_cast<std::ptrdiff_t>(n_elastic)});
+    implicit_->restore(std::span(history).subspan(n_elastic));
+  } else {
+    membrane_.restore_history(state.history);
+  }
   if (program_) program_->restore(state.program, membrane_);
 }
 

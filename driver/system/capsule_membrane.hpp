@@ -7,6 +7,7 @@
 
 #include "driver/outside/outside_membrane.hpp"
 #include "driver/packets/membrane_state.hpp"
+#include "membrane/implicit_viscosity.hpp"
 #include "membrane/membrane.hpp"
 #include "membrane/membrane_step.hpp"
 
@@ -18,20 +19,25 @@ namespace tanktread::driver {
 class CapsuleMembrane {
  public:
   /// @param program null: none
-  explicit CapsuleMembrane(membrane::Membrane membrane, std::unique_ptr<OutsideMembrane> program = nullptr);
+  /// @param implicit of the triangles of the membrane; null: none
+  explicit CapsuleMembrane(membrane::Membrane membrane, std::unique_ptr<OutsideMembrane> program = nullptr,
+                           std::unique_ptr<membrane::ImplicitViscosity> implicit = nullptr);
 
   int n_nodes() const { return membrane_.n_nodes(); }
   int n_triangles() const { return membrane_.n_triangles(); }
   const membrane::TriangleMesh& reference() const { return membrane_.reference(); }
   const Eigen::Matrix3Xd& positions() const { return membrane_.positions(); }
   /// @throws std::invalid_argument if the number of columns is not n_nodes()
-  void set_positions(const Eigen::Ref<const Eigen::Matrix3Xd>& positions) {
-    membrane_.set_positions(positions);
-  }
+  void set_positions(const Eigen::Ref<const Eigen::Matrix3Xd>& positions);
+
+  /// The viscosity whose forces the other components take part in; null: none. It stands at the positions of
+  /// its last set_positions().
+  membrane::ImplicitViscosity* implicit_viscosity() { return implicit_.get(); }
+  const membrane::ImplicitViscosity* implicit_viscosity() const { return implicit_.get(); }
 
   bool has_program() const { return program_ != nullptr; }
   /// The time step of the membrane, for membrane::advance(); with a program in the place of its laws that
-  /// checks the elements alone.
+  /// checks the elements alone. The forces are without those of an implicit viscosity.
   /// @param positions borrowed, as is `force`, which is made as large as it must be
   membrane::MembraneStep step_to(const Eigen::Matrix3Xd& positions, Eigen::Matrix3Xd& force);
   /// The total nodal forces that the program gives at the present positions, 3 x n_nodes.
@@ -56,6 +62,7 @@ class CapsuleMembrane {
  private:
   membrane::Membrane membrane_;
   std::unique_ptr<OutsideMembrane> program_;
+  std::unique_ptr<membrane::ImplicitViscosity> implicit_;
 };
 
 }  // namespace tanktread::driver

@@ -114,7 +114,8 @@ std::vector<CapsuleMembrane> make_membranes(const Case& the_case, const Paramete
                                 the_case.run.threads);
     membranes.emplace_back(
         std::move(membrane),
-        has_program ? std::make_unique<OutsideMembrane>(the_case, parameters, k) : nullptr);
+        has_program ? std::make_unique<OutsideMembrane>(the_case, parameters, k) : nullptr,
+        has_program ? nullptr : implicit_viscosity(parameters.capsules[k], meshes[k], the_case.run.threads));
   }
   return membranes;
 }

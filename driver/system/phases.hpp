@@ -59,25 +59,38 @@ void correct_velocity(const coupler::Coupler& coupler, const NodeCorrections& co
 NodeVectors move_nodes(const NodeVectors& positions, const NodeVectors& velocity, int threads = 1,
                        NodeVectors memory = {});
 
-/// 4. membrane: takes the positions x(t+1); strain, stress with its history, total nodal forces F_m(t+1).
+/// 4. membrane: takes the positions x(t+1); strain, stress with its history, total nodal forces F_m(t+1), but
+/// for implicit viscous forces.
 /// @param velocity u_m(t), which moved the nodes there
 /// @param step of the positions, t+1
 /// @throws membrane::InvertedElement; RunError if a program in the place of a membrane gives no forces
 NodeVectors nodal_forces(std::vector<CapsuleMembrane>& membranes, const NodeVectors& positions,
                          const NodeVectors& velocity, std::int64_t step, NodeVectors memory = {});
 
-/// 5. coupler: stencils at x(t+1), and the grid force F(t+1) spread with them (Eq. 2.1): build_stencils(),
-/// then spread_force(). @throws coupler::StencilError
+/// The implicit viscous forces of a motion that is given, added: s(t+1) = (B u + theta s(t))/(1 + theta)
+/// (ImplicitViscosity) with the velocity u of the nodes at x(t+1). @throws membrane::InvertedElement
+void add_viscous_forces_of(std::vector<CapsuleMembrane>& membranes, const NodeVectors& velocity,
+                           NodeVectors& force);
+
+/// Whether any of the membranes has an implicit viscosity.
+bool any_implicit(const std::vector<CapsuleMembrane>& membranes);
+
+/// 6. fluid: the velocity that it will have at t+1 if no force is added, and the mobility, on the nodes
+/// listed.
+GridVectors free_velocity(const fluid::Fluid& fluid, NodeList nodes, GridVectors memory = {});
+
+/// 5. and 7. coupler: stencils at x(t+1), and the grid force F(t+1) spread with them (Eq. 2.1):
+/// build_stencils(), then spread_force(). @throws coupler::StencilError
 GridVectors spread(coupler::Coupler& coupler, const NodeVectors& positions, const NodeVectors& force);
 
-/// The second part of 5., with the stencils as they are.
+/// The second of these, with the stencils as they are.
 GridVectors spread_force(const coupler::Coupler& coupler, const NodeVectors& force, GridVectors memory = {});
 
-/// 6. fluid: streams to t+1 and collides under F(t+1): set_force(), then the fluid's step.
+/// 8. fluid: streams to t+1 and collides under F(t+1): set_force(), then the fluid's step.
 /// @return the highest speed. @throws fluid::Breakdown
 double advance_fluid(fluid::Fluid& fluid, const GridVectors& force);
 
-/// The first part of 6.: the force of before is replaced.
+/// The first part of 8.: the force of before is replaced.
 void set_force(fluid::Fluid& fluid, const GridVectors& force);
 
 /// The positions of all membranes.

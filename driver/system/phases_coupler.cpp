@@ -1,46 +1,13 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "coupler/volume.hpp"
 #include "driver/system/node_ranges.hpp"
+#include "driver/system/node_spans.hpp"
 #include "driver/system/phases.hpp"
 
 namespace tanktread::driver {
 namespace {
 
-std::vector<std::span<const double>> views(const NodeVectors& vectors) {
-  std::vector<std::span<const double>> spans;
-  for (const auto& matrix : vectors)
-    spans.emplace_back(matrix.data(), static_cast<std::size_t>(matrix.size()));
-  return spans;
-}
-
-/// The values on the nodes asked for, of vectors on more nodes than that.
-std::vector<double> picked(const GridVectors& vectors, std::span<const std::int64_t> nodes) {
-  std::vector<double> values;
-  values.reserve(3 * nodes.size());
-  auto found = vectors.nodes->begin();
-  for (const auto node : nodes) {
-    found = std::lower_bound(found, vectors.nodes->end(), node);
-    if (found == vectors.nodes->end() || *found != node) {
-      throw std::invalid_argument(fmt::format("no velocity on grid node {}, which a stencil touches", node));
-    }
-    const auto first = vectors.values.begin() + 3 * (found - vectors.nodes->begin());
-    values.insert(values.end(), first, first + 3);
-  }
-  return values;
-}
-
-std::vector<std::span<double>> targets_of(NodeVectors& vectors) {
-  std::vector<std::span<double>> spans;
-  for (auto& matrix : vectors) spans.emplace_back(matrix.data(), static_cast<std::size_t>(matrix.size()));
-  return spans;
-}
-
 std::span<const int> triangles_of(const Surfaces& surfaces, std::size_t surface) {
-  const auto& triangles = surfaces.triangles[surface];
-  return {triangles.data(), static_cast<std::size_t>(triangles.size())};
+  return numbers_of(surfaces.triangles[surface]);
 }
 
 std::vector<std::span<const int>> triangles_of(const Surfaces& surfaces) {
@@ -78,7 +45,7 @@ NodeVectors interpolated_velocity(const coupler::Coupler& coupler, const GridVec
   if (velocity.nodes == nodes || *velocity.nodes == *nodes) {
     coupler.interpolate(velocity.values, targets);
   } else {
-    coupler.interpolate(picked(velocity, *nodes), targets);
+    coupler.interpolate(on_nodes(velocity, nodes, "velocity").values, targets);
   }
   return memory;
 }

@@ -7,7 +7,14 @@ namespace tanktread::driver {
 GridVectors grid_velocity(const fluid::Fluid& fluid, NodeList nodes, GridVectors memory) {
   memory.values.resize(3 * nodes->size());
   fluid.velocity(*nodes, memory.values);
-  return {std::move(nodes), std::move(memory.values)};
+  return {std::move(nodes), std::move(memory.values), {}};
+}
+
+GridVectors free_velocity(const fluid::Fluid& fluid, NodeList nodes, GridVectors memory) {
+  memory.values.resize(3 * nodes->size());
+  memory.mobility.resize(nodes->size());
+  fluid.free_velocity(*nodes, memory.values, memory.mobility);
+  return {std::move(nodes), std::move(memory.values), std::move(memory.mobility)};
 }
 
 double advance_fluid(fluid::Fluid& fluid, const GridVectors& force) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <utility>
 
@@ -56,6 +57,24 @@ NodeVectors nodal_forces(std::vector<CapsuleMembrane>& membranes, const NodeVect
   for (std::size_t k = 0; k < membranes.size(); ++k)
     if (membranes[k].has_program()) forces[k] = membranes[k].program_forces(velocity[k], step);
   return forces;
+}
+
+void add_viscous_forces_of(std::vector<CapsuleMembrane>& membranes, const NodeVectors& velocity,
+                           NodeVectors& force) {
+  for (std::size_t k = 0; k < membranes.size(); ++k) {
+    auto* viscosity = membranes[k].implicit_viscosity();
+    if (viscosity == nullptr) continue;
+    viscosity->set_positions(membranes[k].positions());
+    viscosity->accept(viscosity->stress_of(velocity[k]));
+    Eigen::Matrix3Xd viscous(3, force[k].cols());
+    viscosity->rates().multiply_transposed(viscosity->stress(), viscous);
+    force[k] -= viscous;
+  }
+}
+
+bool any_implicit(const std::vector<CapsuleMembrane>& membranes) {
+  return std::ranges::any_of(
+      membranes, [](const CapsuleMembrane& membrane) { return membrane.implicit_viscosity() != nullptr; });
 }
 
 NodeVectors positions_of(const std::vector<CapsuleMembrane>& membranes) {

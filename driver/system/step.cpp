@@ -63,20 +63,35 @@ void advance_phases(System& system, Passage& passage) {
   });
   passage.pass(system, Packet::positions, positions);
 
-  // 4. Strain and stress at x(t+1), F_m(t+1).
+  // 4. Strain and stress at x(t+1), F_m(t+1) but for implicit viscous forces.
   system.node_force = timed(seconds.membranes, [&] {
     return nodal_forces(system.membranes, positions, system.node_velocity, system.step + 1,
                         std::move(system.node_force));
   });
+
+  // 5. Stencils at x(t+1).
+  timed(seconds.stencils, [&] { build_stencils(coupler, positions); });
+
+  // 6. Viscous forces that depend on u_m(t+1), from u(t+1) without F(t+1).
+  if (any_implicit(system.membranes)) {
+    auto& free = system.packets.free_velocity;
+    passage.pass(system, Packet::explicit_force, system.node_force);
+    free = timed(seconds.implicit,
+                 [&] { return free_velocity(fluid, coupler.grid_node_list(), std::move(free)); });
+    passage.pass(system, Packet::free_velocity, free);
+    system.viscous_iterations = timed(seconds.implicit, [&] {
+      return add_implicit_forces(system.membranes, coupler, system.corrections, free, system.implicit,
+                                 system.node_force);
+    });
+  }
   passage.pass(system, Packet::node_force, system.node_force);
 
-  // 5. Stencils at x(t+1), F(t+1).
-  timed(seconds.stencils, [&] { build_stencils(coupler, positions); });
+  // 7. F(t+1), with the stencils at x(t+1).
   force =
       timed(seconds.spreading, [&] { return spread_force(coupler, system.node_force, std::move(force)); });
   passage.pass(system, Packet::grid_force, force);
 
-  // 6. The fluid goes to t+1 under F(t+1).
+  // 8. The fluid goes to t+1 under F(t+1).
   timed(seconds.forced_nodes, [&] { set_force(fluid, force); });
   system.highest_speed = timed(seconds.fluid, [&] { return fluid.step(); });
   ++system.step;
@@ -100,6 +115,8 @@ void advance(System& system, Passage& passage) {
   } catch (const coupler::StencilError& error) {
     stop(error);
   } catch (const coupler::CorrectionError& error) {
+    stop(error);
+  } catch (const NotConverged& error) {
     stop(error);
   }
 }

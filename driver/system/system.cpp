@@ -16,6 +16,7 @@ System make_system(const Case& the_case, const Parameters& parameters,
   system.fluid = make_fluid(the_case, parameters);
   system.coupler = make_coupler(the_case);
   system.corrections = make_node_corrections(the_case, *system.coupler);
+  system.implicit = implicit_settings(the_case);
   system.membranes = make_membranes(the_case, parameters, meshes);
   system.node_velocity = system.node_force = zero_like(positions_of(system.membranes));
   try {

@@ -9,6 +9,7 @@
 #include "driver/case/case.hpp"
 #include "driver/packets/packets.hpp"
 #include "driver/system/capsule_membrane.hpp"
+#include "driver/system/implicit_forces.hpp"
 #include "driver/system/node_corrections.hpp"
 #include "driver/units/units.hpp"
 #include "fluid/fluid.hpp"
@@ -22,12 +23,13 @@ struct StepSeconds {
   double stencils = 0, interpolation = 0, spreading = 0;
   double correction = 0;  ///< of the interpolated velocity: along the membrane, and for the volume
   double membranes = 0;   ///< moving the nodes, strain, stress, nodal forces
+  double implicit = 0;    ///< implicit viscous forces, with the free velocities taken for them
 };
 
 /// Packets of the step before, whose memory the next step writes to: fresh memory costs more than what is
 /// written there.
 struct StepPackets {
-  GridVectors grid_velocity, grid_force;
+  GridVectors grid_velocity, free_velocity, grid_force;
   Surfaces before;
   NodeVectors positions;
 };
@@ -41,11 +43,14 @@ struct System {
   NodeCorrections corrections;
   std::vector<CapsuleMembrane> membranes;
 
+  ImplicitSettings implicit;  ///< of implicit viscosities, if there are any
+
   std::int64_t step = 0;
-  double shear_rate = 0;      ///< g, for the times in files
-  NodeVectors node_velocity;  ///< u_m(t-1), which moved the nodes to x(t)
-  NodeVectors node_force;     ///< the total force at x(t)
-  double highest_speed = 0;   ///< of the fluid, in the last step
+  double shear_rate = 0;       ///< g, for the times in files
+  NodeVectors node_velocity;   ///< u_m(t-1), which moved the nodes to x(t)
+  NodeVectors node_force;      ///< the total force at x(t)
+  double highest_speed = 0;    ///< of the fluid, in the last step
+  int viscous_iterations = 0;  ///< for the implicit viscous forces of the last step
   StepSeconds seconds;
   int threads = 1;      ///< OpenMP threads
   StepPackets packets;  ///< for their memory; a step does not go on from what is in there

@@ -47,18 +47,52 @@ std::optional<membrane::ViscousParameters> viscous_parameters(const ViscousCase&
   const auto dilatational_time =
       relaxation_time(viscous.spring_stiffness_dilatational, viscous.spring_relaxation_time_dilatational,
                       viscous.spring_modulus_dilatational, result.dilatational_viscosity, shear_rate);
-  // The checks of the case see to it that a part with a viscosity has a time, and that it is not 0.
-  if (result.shear_viscosity > 0) result.shear_spring = result.shear_viscosity / shear_time.value();
-  if (result.dilatational_viscosity > 0) {
-    const double time = dilatational_time ? *dilatational_time : shear_time.value();
-    result.dilatational_spring = result.dilatational_viscosity / time;
-  }
+  // The checks of the case see to it that an explicit scheme has a time for each part with a viscosity, and
+  // that it is not 0.
+  const auto spring_of = [&](double viscosity, const std::optional<double>& time) {
+    if (viscosity == 0 || (is_implicit(result) && !time)) return 0.0;
+    return viscosity / time.value();
+  };
+  result.shear_spring = spring_of(result.shear_viscosity, shear_time);
+  result.dilatational_spring =
+      spring_of(result.dilatational_viscosity, dilatational_time ? dilatational_time : shear_time);
   return result;
 }
 
+bool is_implicit(const membrane::ViscousParameters& viscous) {
+  return viscous.scheme == implicit_scheme;
+}
+
+bool any_implicit(const Case& the_case, const Parameters& parameters) {
+  for (std::size_t k = 0; k < the_case.capsules.size(); ++k) {
+    const auto& viscous = parameters.capsules[k].viscous;
+    if (the_case.capsules[k].membrane.command.empty() && viscous && is_implicit(*viscous)) return true;
+  }
+  return false;
+}
+
 std::unique_ptr<membrane::ViscousLaw> viscous_law(const CapsuleParameters& capsule) {
-  if (!capsule.viscous) return nullptr;
+  if (!capsule.viscous || is_implicit(*capsule.viscous)) return nullptr;
   return std::make_unique<membrane::ViscousLaw>(*capsule.viscous);
+}
+
+std::unique_ptr<membrane::ImplicitViscosity> implicit_viscosity(const CapsuleParameters& capsule,
+                                                                const membrane::TriangleMesh& mesh,
+                                                                int threads) {
+  if (!capsule.viscous || !is_implicit(*capsule.viscous)) return nullptr;
+  const auto& viscous = *capsule.viscous;
+  const auto relaxation = [](double viscosity, double spring) {
+    return spring > 0 ? 2 * viscosity / spring : 0;
+  };
+  membrane::ImplicitParameters parameters;
+  parameters.shear_viscosity = viscous.shear_viscosity;
+  parameters.dilatational_viscosity = viscous.dilatational_viscosity;
+  parameters.shear_relaxation = relaxation(viscous.shear_viscosity, viscous.shear_spring);
+  parameters.dilatational_relaxation =
+      relaxation(viscous.dilatational_viscosity, viscous.dilatational_spring);
+  parameters.rates_at = capsule.rates_at;
+  return std::make_unique<membrane::ImplicitViscosity>(mesh.triangles, mesh.points.cols(), parameters,
+                                                       threads);
 }
 
 }  // namespace tanktread::driver

@@ -6,11 +6,14 @@
 
 #include "driver/case/case.hpp"
 #include "membrane/elastic_law.hpp"
+#include "membrane/implicit_viscosity.hpp"
+#include "membrane/mesh.hpp"
 #include "membrane/viscous_law.hpp"
 
 namespace tanktread::driver {
 
 struct CapsuleParameters;
+struct Parameters;
 
 /// The elastic law of a capsule with its moduli in lattice units.
 std::unique_ptr<membrane::ElasticLaw> elastic_law(const MembraneCase& membrane,
@@ -22,7 +25,18 @@ std::optional<membrane::ViscousParameters> viscous_parameters(const ViscousCase&
                                                               double outer_viscosity, double radius,
                                                               double shear_rate);
 
-/// The viscous law of a capsule; null: none.
+/// Whether these are of an implicit viscosity; a spring of 0 is then none.
+bool is_implicit(const membrane::ViscousParameters& viscous);
+
+/// Whether any capsule has an implicit viscosity: not one with a program in the place of its laws.
+bool any_implicit(const Case& the_case, const Parameters& parameters);
+
+/// The viscous law of a capsule; null: none, or an implicit one.
 std::unique_ptr<membrane::ViscousLaw> viscous_law(const CapsuleParameters& capsule);
+
+/// The implicit viscosity of a capsule; null: none, or an explicit one.
+std::unique_ptr<membrane::ImplicitViscosity> implicit_viscosity(const CapsuleParameters& capsule,
+                                                                const membrane::TriangleMesh& mesh,
+                                                                int threads);
 
 }  // namespace tanktread::driver

@@ -39,6 +39,7 @@ void put_viscous_part(std::string& toml, const std::string& part, char letter, d
   put(toml, fmt::format("viscous.{}_viscosity", part), viscosity, fmt::format("mu_{}", letter));
   put(toml, fmt::format("viscous.boussinesq_{}", part), viscosity / boussinesq_unit,
       fmt::format("Bq_{0} = mu_{0}/(mu_o a)", letter));
+  if (spring == 0) return;  // of an implicit viscosity
   put(toml, fmt::format("viscous.{}_spring", part), spring, fmt::format("k_{}'", letter));
   put(toml, fmt::format("viscous.interval_times_{}_spring", part), interval * spring,
       fmt::format("N k_{}'", letter));

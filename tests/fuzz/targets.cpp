@@ -10,6 +10,7 @@
 #include "driver/packets/packet_files.hpp"
 #include "driver/packets/surface_mesh.hpp"
 #include "driver/program/errors.hpp"
+#include "driver/run/observables.hpp"
 #include "driver/run/observables_table.hpp"
 #include "exchange/difference.hpp"
 #include "exchange/vtk_files.hpp"
@@ -162,13 +163,14 @@ void read_observables(std::string_view bytes) {
   put_bytes(file, bytes);
   std::vector<driver::TableRow> rows;
   try {
-    rows = driver::read_observables(file);
+    rows = driver::read_observables(file, driver::observables_header());
   } catch (const FileError&) {
     return;
   }
-  driver::write_observables(file, rows);
+  driver::write_observables(file, driver::observables_header(), rows);
   const auto kept = bytes_of(file);
-  driver::write_observables(file, driver::read_observables(file));
+  driver::write_observables(file, driver::observables_header(),
+                            driver::read_observables(file, driver::observables_header()));
   require(bytes_of(file) == kept, "a table of whole rows was changed");
 }
 

@@ -1,0 +1,71 @@
+#include "driver/packets/packet_files.hpp"
+#include "driver/program/output_file.hpp"
+#include "driver/stages/stage_errors.hpp"
+#include "driver/stages/stages.hpp"
+#include "driver/system/components.hpp"
+#include "driver/system/implicit_forces.hpp"
+#include "driver/system/membrane_files.hpp"
+#include "driver/system/phases.hpp"
+#include "exchange/vtk_files.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+/// The membranes as the membrane stage left them.
+std::vector<CapsuleMembrane> membranes_of(const ImplicitStage& stage, const Parameters& numbers,
+                                          const exchange::SurfacePacket& file, const Surfaces& surfaces) {
+  const auto name = stage.in.string();
+  auto membranes = make_membranes(stage.the_case, numbers, reference_meshes(stage.the_case));
+  check_surfaces(surfaces, membranes, name);
+  check_references(file, membranes, name);
+  restore_membranes(membranes, file, name);
+  for (std::size_t k = 0; k < membranes.size(); ++k) membranes[k].set_positions(surfaces.positions[k]);
+  return membranes;
+}
+
+GridVectors read_free_velocity(const ImplicitStage& stage) {
+  const auto name = stage.grid.string();
+  auto free = grid_vectors_of(exchange::read_grid(stage.grid), "velocity", stage.the_case.flow.box, name);
+  if (!free.mobility.empty() || free.nodes->empty()) return free;
+  throw InputError(name + ": array 'mobility' is missing; give a file that `tanktread fluid --free` wrote");
+}
+
+void run(const ImplicitStage& stage) {
+  check_output({"--out", stage.out}, surface_output(), {{"--in", stage.in}, {"--grid", stage.grid}});
+  const auto numbers = parameters(stage.the_case);
+  const auto file = exchange::read_surface(stage.in);
+  const auto surfaces = surfaces_of(file, stage.in.string());
+  auto membranes = membranes_of(stage, numbers, file, surfaces);
+  if (!any_implicit(membranes)) {
+    throw InputError(stage.the_case.file.string() +
+                     ": no capsule has an implicit viscosity, so this stage has nothing to do; set "
+                     "membrane.viscous.scheme = \"implicit\", or leave the stage out");
+  }
+  const auto velocity = vectors_of(file, "velocity", surfaces, stage.in.string());
+  auto force = vectors_of(file, "total_force", surfaces, stage.in.string());
+  const auto free = read_free_velocity(stage);
+  const auto coupler = make_coupler(stage.the_case);
+  build_stencils(*coupler, surfaces.positions);
+  add_implicit_forces(membranes, *coupler, make_node_corrections(stage.the_case, *coupler), free,
+                      implicit_settings(stage.the_case), force);
+  const auto step = step_of(file.field_data, stage.in.string());
+  auto out = membrane_file(membranes, velocity, force, step, static_cast<double>(step) * numbers.shear_rate);
+  add_state(out, membranes);
+  exchange::write_surface(stage.out, out);
+}
+
+}  // namespace
+
+void run_stage(const ImplicitStage& stage) {
+  with_stage_errors<NotConverged, membrane::InvertedElement>([&] {
+    try {
+      run(stage);
+    } catch (const coupler::StencilError& error) {
+      throw InputError(stage.in.string() + ": " + error.what());
+    } catch (const coupler::CorrectionError& error) {
+      throw InputError(stage.in.string() + ": " + error.what());
+    }
+  });
+}
+
+}  // namespace tanktread::driver
