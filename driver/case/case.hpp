@@ -95,7 +95,7 @@ struct CouplerCase {
   std::string kernel = "stockie6";
   bool tangential_correction = true;  ///< where a case does not say: by the kernel
   bool keep_volume = false;
-  double implicit_tolerance = 1e-5;  ///< of implicit viscosities: of the residual, over the right side
+  double implicit_tolerance = 1e-3;  ///< of implicit viscosities: what their rates may be off
   int implicit_iterations = 1000;    ///< the most that a step may take
 
   bool operator==(const CouplerCase&) const = default;

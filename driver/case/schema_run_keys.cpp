@@ -42,7 +42,8 @@ std::vector<Key> coupler_run_output_keys() {
           "moves nodes a little along the gradient of each capsule's volume, which stays the same then"),
       key<InCase<&Case::coupler, &CouplerCase::implicit_tolerance>>(
           "coupler.implicit_tolerance", "",
-          "of implicit viscous forces: residual of their equations over the right side")
+          "how far implicit viscous stresses may be from those of the velocity that the fluid has, of their "
+          "norm")
           .above(0)
           .to(0.1)
           .unless(refuse_without_implicit),

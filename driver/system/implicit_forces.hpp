@@ -16,8 +16,10 @@ namespace tanktread::driver {
 /// How far the equations of the implicit viscosity are solved, by coupler.implicit_tolerance and
 /// coupler.implicit_iterations.
 struct ImplicitSettings {
-  double tolerance = 0;  ///< of the residual, over the norm of the right side
+  double tolerance =
+      0;  ///< of the rates: |B u - s| over |B u|, with theta s(t) in B u where there is a spring
   int most_iterations = 0;
+  int threads = 1;
 };
 ImplicitSettings implicit_settings(const Case& the_case);
 
@@ -35,8 +37,8 @@ class NotConverged : public std::runtime_error {
 ///     u0  = sum_f delta(x_f - x_m) v_f + M F0,
 ///     (1 + theta + B M B^T) s = B u0 + theta s(t),        F = F0 - B^T s,
 ///
-/// by conjugate gradients from 2 s(t) - s(t-1). v and m are the free velocity of the fluid and its mobility,
-/// so that u0
+/// by conjugate gradients from 2 s(t) - s(t-1), until s is the stress of that velocity u = u0 - M B^T s but
+/// for the tolerance. v and m are the free velocity of the fluid and its mobility, so that u0
 /// - M B^T s is the velocity that the next step finds there. All membranes are solved for together, for each
 /// moves the nodes of the others.
 /// @param membranes at x(t+1); those with an implicit viscosity take s(t+1)
