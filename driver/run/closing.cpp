@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 #include "driver/program/signals.hpp"
 #include "driver/run/memory_speed.hpp"
