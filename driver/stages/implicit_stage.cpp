@@ -46,8 +46,12 @@ void run(const ImplicitStage& stage) {
   const auto free = read_free_velocity(stage);
   const auto coupler = make_coupler(stage.the_case);
   build_stencils(*coupler, surfaces.positions);
-  add_implicit_forces(membranes, *coupler, make_node_corrections(stage.the_case, *coupler), free,
-                      implicit_settings(stage.the_case), force);
+  try {
+    add_implicit_forces(membranes, *coupler, make_node_corrections(stage.the_case, *coupler), free,
+                        implicit_settings(stage.the_case), force);
+  } catch (const std::invalid_argument& error) {  // a node that a stencil touches is not in the file
+    throw InputError(stage.grid.string() + ": " + error.what());
+  }
   const auto step = step_of(file.field_data, stage.in.string());
   auto out = membrane_file(membranes, velocity, force, step, static_cast<double>(step) * numbers.shear_rate);
   add_state(out, membranes);

@@ -30,6 +30,8 @@ std::vector<Case> samples() {
   cases.back().capsules[0].mesh.file = "/somewhere/cell.vtu";
   cases.push_back(cases.front());
   cases.back().capsules[0].membrane.elastic_law = "hookean";
+  cases.push_back(cases.front());
+  cases.back().capsules[0].membrane.viscous.scheme = "implicit";
   return cases;
 }
 
