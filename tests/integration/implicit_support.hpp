@@ -144,8 +144,9 @@ inline LookedAt advance_and_look(System& system, const Case& the_case) {
   for (std::size_t k = 0; k < system.membranes.size(); ++k) {
     EXPECT_EQ(system.membranes[k].positions(), plain.membranes[k].positions());
     step.viscous_force[k] -= plain.node_force[k];
-    const auto* viscosity = std::as_const(system.membranes[k]).implicit_viscosity();
+    auto* viscosity = system.membranes[k].implicit_viscosity();
     if (viscosity == nullptr) continue;
+    viscosity->set_positions(system.membranes[k].positions());  // B of x(t+1), whatever the step took
     Eigen::Matrix3Xd left = -memory[k];
     viscosity->add_diagonal(viscosity->stress(), left);
     residual += (left - rates(*viscosity, step.velocity[k])).squaredNorm();
