@@ -1,5 +1,6 @@
 // What the stage of implicit viscous forces refuses.
 #include <algorithm>
+#include <limits>
 
 #include "exchange/vtk_files.hpp"
 #include "tests/integration/implicit_stages_fixture.hpp"
@@ -11,7 +12,8 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 TEST_F(Implicit, BadInputOfTheStageIsRefusedAndNothingIsWritten) {
-  stage({"membrane", "--out", path("membrane.vtu")});
+  stage({"membrane", "--out", path("start.vtu")});
+  stage({"membrane", "--in", path("start.vtu"), "--out", path("membrane.vtu")});
   stage({"fluid", "--steps", "0", "--out", path("fluid.vti"), "--fields", path("flow.vti"), "--free",
          path("free.vti")});
   const auto refusal = [&](std::vector<std::string> more, int code = 2) {
@@ -35,6 +37,19 @@ TEST_F(Implicit, BadInputOfTheStageIsRefusedAndNothingIsWritten) {
   EXPECT_THAT(refusal({"--grid", path("nowhere.vti")}), HasSubstr("nowhere.vti: no such file"));
   EXPECT_THAT(refusal({"--out", path("none.vti")}), HasSubstr("none.vti"));
   EXPECT_THAT(refusal({"--out", path("membrane.vtu")}), HasSubstr("is the file that --in names"));
+  // Files that do not say which forces are without the viscous ones: those would be added twice.
+  EXPECT_THAT(refusal({"--in", path("start.vtu")}), HasSubstr("array 'explicit_force' is missing"));
+  stage({"implicit", "--in", path("membrane.vtu"), "--grid", path("free.vti"), "--out", path("done.vtu")});
+  EXPECT_THAT(refusal({"--in", path("done.vtu")}), HasSubstr("give --out of `tanktread membrane`"));
+  // Numbers that are none.
+  auto bad = exchange::read_grid(path("free.vti"));
+  bad.point_data[0].values[3 * 100 + 1] = std::numeric_limits<double>::quiet_NaN();
+  exchange::write_grid(path("bad.vti"), bad);
+  EXPECT_THAT(refusal({"--grid", path("bad.vti")}), HasSubstr("bad.vti: node 100 has the velocity"));
+  bad = exchange::read_grid(path("free.vti"));
+  bad.point_data[1].values[7] = -0.5;
+  exchange::write_grid(path("bad.vti"), bad);
+  EXPECT_THAT(refusal({"--grid", path("bad.vti")}), HasSubstr("and the mobility -0.5"));
   // A file of positions and forces that has no history.
   record(10);
   EXPECT_THAT(refusal({"--in", path("record/explicit_force/explicit_force_0000000012.vtu")}),

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -122,19 +123,13 @@ inline LookedAt advance_and_look(System& system, const Case& the_case) {
   plain.fluid->restore(system.fluid->state());
   plain.node_force = system.node_force;
   plain.step = system.step;
-  NodeVectors before;
+  std::vector<std::optional<membrane::ImplicitViscosity>> before(system.membranes.size());
   for (std::size_t k = 0; k < system.membranes.size(); ++k) {
     plain.membranes[k].set_positions(system.membranes[k].positions());
     const auto* viscosity = std::as_const(system.membranes[k]).implicit_viscosity();
-    before.push_back(viscosity == nullptr ? Eigen::Matrix3Xd() : viscosity->stress());
+    if (viscosity != nullptr) before[k] = *viscosity;
   }
   build_stencils(*plain.coupler, positions_of(plain.membranes));
-  std::vector<Eigen::Matrix3Xd> memory = before;
-  for (std::size_t k = 0; k < memory.size(); ++k) {
-    memory[k].setZero();
-    const auto* viscosity = std::as_const(system.membranes[k]).implicit_viscosity();
-    if (viscosity != nullptr) viscosity->add_memory(memory[k]);
-  }
 
   advance(plain);
   advance(system);
@@ -144,14 +139,16 @@ inline LookedAt advance_and_look(System& system, const Case& the_case) {
   for (std::size_t k = 0; k < system.membranes.size(); ++k) {
     EXPECT_EQ(system.membranes[k].positions(), plain.membranes[k].positions());
     step.viscous_force[k] -= plain.node_force[k];
-    auto* viscosity = system.membranes[k].implicit_viscosity();
-    if (viscosity == nullptr) continue;
-    viscosity->set_positions(system.membranes[k].positions());  // B of x(t+1), whatever the step took
-    Eigen::Matrix3Xd left = -memory[k];
-    viscosity->add_diagonal(viscosity->stress(), left);
-    residual += (left - rates(*viscosity, step.velocity[k])).squaredNorm();
-    right_side += (rates(*viscosity, step.free_velocity[k]) + memory[k]).squaredNorm();
-    step.rounding += largest_rates(*viscosity) *
+    if (!before[k]) continue;
+    auto& viscosity = *before[k];
+    viscosity.set_positions(system.membranes[k].positions());  // B of x(t+1), and s(t) carried there
+    Eigen::Matrix3Xd memory = Eigen::Matrix3Xd::Zero(3, viscosity.rates().n_rates());
+    viscosity.add_memory(memory);
+    Eigen::Matrix3Xd left = -memory;
+    viscosity.add_diagonal(std::as_const(system.membranes[k]).implicit_viscosity()->stress(), left);
+    residual += (left - rates(viscosity, step.velocity[k])).squaredNorm();
+    right_side += (rates(viscosity, step.free_velocity[k]) + memory).squaredNorm();
+    step.rounding += largest_rates(viscosity) *
                      std::sqrt(3.0 * static_cast<double>(step.velocity[k].cols())) * 400 *
                      std::numeric_limits<double>::epsilon();
   }

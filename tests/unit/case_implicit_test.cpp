@@ -63,7 +63,7 @@ TEST(CaseImplicit, WhatContradictsIt) {
        {"coupler.implicit_iterations=10: is of", "which no capsule has; remove it"}},
       {{viscous("spring_stiffness = 100", "fd"), "coupler.implicit_tolerance=1e-6"},
        {"which no capsule has"}},
-      {{viscous(""), "coupler.implicit_tolerance=0"}, {"a number > 0 and <= 0.1 (default 1e-05)"}},
+      {{viscous(""), "coupler.implicit_tolerance=0"}, {"a number > 0 and <= 0.1 (default 0.001)"}},
       {{viscous(""), "coupler.implicit_tolerance=0.2"}, {"a number > 0 and <= 0.1"}},
       {{viscous(""), "coupler.implicit_iterations=0"}, {"an integer >= 1 and <= 1000000 (default 1000)"}},
       {{viscous("", "implict")}, {"did you mean \"implicit\"?"}},
@@ -195,7 +195,7 @@ std::string line_of(const std::string& text, const std::string& name) {
 TEST(CaseImplicit, TheEchoSaysHowItIsSolvedAndThatThereIsNoSpring) {
   const auto text = echo_of(parse(least_case, {viscous("")}));
   EXPECT_EQ(line_of(text, "viscous scheme"),
-            "viscous scheme implicit strain rates by nodes, to 1e-05 in at most 1000 iterations");
+            "viscous scheme implicit strain rates by nodes, to 0.001 in at most 1000 iterations");
   EXPECT_THAT(line_of(text, "Bq_s"), StartsWith("Bq_s 10 "));
   EXPECT_EQ(line_of(text, "k_s'"), "k_s' none a dashpot without a spring");
   EXPECT_EQ(line_of(text, "Bq_d"), "Bq_d 0");

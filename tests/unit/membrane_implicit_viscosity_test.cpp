@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -116,6 +117,62 @@ TEST_P(ImplicitViscosityAt, AMaxwellElementUnderAConstantRateGoesToTheStressOfTh
   // r^300 is 3e-17: what is left of the beginning is rounding.
   EXPECT_LT((tested.stress() - dashpot).norm(),
             2 * epsilon * (2 + shear) * std::sqrt(dashpot.size()) * dashpot.cwiseAbs().maxCoeff());
+}
+
+// The tensors of what is remembered are of some 1 in size; a turn is some ten products of numbers of 1, and a
+// mean over six triangles.
+constexpr double rounding_of_turn = 200 * epsilon;
+
+TEST_P(ImplicitViscosityAt, AMaxwellElementTurnsWithTheMembrane) {
+  const auto mesh = deformed_sphere(1);
+  auto tested = viscosity(mesh, parameters(GetParam(), 4, 0.5));
+  tested.accept(tested.stress_of(smooth_velocity(mesh.points)));
+  const auto before = tested.rates().stress(tested.stress());
+  // By far more than a right angle, and moved.
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(2.1, Eigen::Vector3d(1, -2, 0.5).normalized()).matrix();
+  tested.set_positions((turn * mesh.points).colwise() + Eigen::Vector3d(3, 4, 5));
+  const auto after = tested.rates().stress(tested.stress());
+  for (Eigen::Index t = 0; t < before.cols(); ++t) {
+    const Eigen::Matrix3d from = before.col(t).reshaped<Eigen::RowMajor>(3, 3);
+    const Eigen::Matrix3d expected = turn * from * turn.transpose();
+    ASSERT_LT((after.col(t).reshaped<Eigen::RowMajor>(3, 3) - expected).norm(),
+              rounding_of_turn * before.norm());
+  }
+}
+
+TEST_P(ImplicitViscosityAt, AMaxwellElementKeepsItsStressWhereTheMembraneGrows) {
+  const auto mesh = deformed_sphere(1);
+  auto tested = viscosity(mesh, parameters(GetParam(), 4, 0.5));
+  tested.accept(tested.stress_of(smooth_velocity(mesh.points)));
+  const auto before = tested.rates().stress(tested.stress());
+  tested.set_positions(1.5 * mesh.points);
+  EXPECT_LT((tested.rates().stress(tested.stress()) - before).norm(), rounding_of_turn * before.norm());
+}
+
+// Components along the first edge would turn with that edge, and not with the material: the stress of a
+// sheared membrane would hang on which edge comes first.
+TEST_P(ImplicitViscosityAt, WhatAMaxwellElementRemembersDoesNotHangOnTheNumbering) {
+  const auto mesh = deformed_sphere(1);
+  auto other = mesh;
+  const auto n = mesh.triangles.cols();
+  for (Eigen::Index t = 0; t < n; ++t)
+    for (int corner = 0; corner < 3; ++corner)
+      other.triangles(corner, t) = mesh.triangles((corner + 1) % 3, n - 1 - t);
+  auto one = viscosity(mesh, parameters(GetParam(), 4, 0.5)),
+       two = viscosity(other, parameters(GetParam(), 4, 0.5));
+  Eigen::Matrix3Xd positions = mesh.points;
+  for (int step = 0; step < 20; ++step) {
+    const Eigen::Matrix3Xd velocity = 0.05 * smooth_velocity(positions);
+    positions += velocity;
+    for (auto* tested : {&one, &two}) {
+      tested->set_positions(positions);
+      tested->accept(tested->stress_of(velocity));
+    }
+  }
+  const auto first = one.rates().stress(one.stress());
+  const Eigen::MatrixXd second = two.rates().stress(two.stress()).rowwise().reverse();
+  EXPECT_GT(first.norm(), 0.1);
+  EXPECT_LT((first - second).norm(), 20 * rounding_of_turn * first.norm());  // of each step
 }
 
 TEST_P(ImplicitViscosityAt, AStressOfAVelocityThatIsGivenIsNoStep) {
