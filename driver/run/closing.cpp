@@ -33,6 +33,7 @@ std::string time_table(const StepSeconds& steps, double files, double whole) {
                                            {"spreading", steps.spreading},
                                            {"correction", steps.correction},
                                            {"membranes", steps.membranes},
+                                           {"inside", steps.inside},
                                            {"implicit forces", steps.implicit},
                                            {"files", files},
                                            {"else", whole}};

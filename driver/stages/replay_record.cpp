@@ -76,7 +76,8 @@ ReplayRecord::ReplayRecord(const ReplayOptions& options) : directory_(options.re
   has_end_ = std::filesystem::exists(end);
   last_step_ = has_end_ ? step_of(exchange::read_surface(end).field_data, end.string()) : begin_.step;
   // A run that broke down has no end: its last step is the last one with all packets.
-  while (!has_end_ && std::filesystem::exists(packet_path(directory_, Packet::grid_force, last_step_ + 1)))
+  const auto last_packet = has_contrast(the_case) ? Packet::inside : Packet::grid_force;
+  while (!has_end_ && std::filesystem::exists(packet_path(directory_, last_packet, last_step_ + 1)))
     ++last_step_;
   if (last_step_ <= begin_.step) throw InputError(directory_.string() + ": holds no whole step");
 }
@@ -158,6 +159,20 @@ void ReplayRecord::compare(Packet packet, std::int64_t step, const GridVectors& 
     now.point_data.back() = exchange::find_array(recorded.point_data, touched_array, file.string());
   add(step, name_of(packet), file, recorded, now);
   write_field(packet, step, recorded, now, array_of(packet));
+}
+
+GridMarks ReplayRecord::marks(std::int64_t step) const {
+  return read_marks_packet(packet_path(directory_, Packet::inside, step), begin_.positions.size(), box_,
+                           step);
+}
+
+void ReplayRecord::compare(std::int64_t step, const GridMarks& news, std::span<const std::int32_t> all) {
+  const auto file = packet_path(directory_, Packet::inside, step);
+  add(step, name_of(Packet::inside), file, exchange::read_grid(file), marks_file(news, all, box_, step));
+}
+
+bool ReplayRecord::has_contrast() const {
+  return std::filesystem::exists(packet_path(directory_, Packet::inside, first_step()));
 }
 
 void ReplayRecord::compare_end(const SurfacePacket& given) {

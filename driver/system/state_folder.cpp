@@ -39,6 +39,9 @@ void restore(System& system, const SavedState& state) {
     throw InputError(fmt::format("{}: does not fit the case: {}", state.folder.string(), error.what()));
   }
   build_stencils(*system.coupler, state.positions);
+  // The fluid's state has the viscosities already.
+  if (system.inside)
+    mark_inside(*system.inside, state.positions, surfaces_of(system.membranes).triangles, true);
 }
 
 }  // namespace tanktread::driver
