@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <cmath>
 
 #include "membrane/element.hpp"
@@ -48,6 +49,22 @@ inline Eigen::Vector3d weighted_rates(const ElementRates& element, const Surface
   const SurfaceGradient in_space = edges * element.weighted_gradient.bottomRows<2>();
   const Eigen::Matrix2d gradient = element.axes.transpose() * in_space;
   return {gradient(0, 0) - gradient(1, 1), gradient(0, 1) + gradient(1, 0), gradient(0, 0) + gradient(1, 1)};
+}
+
+/// The deformation gradient from one shape of an element to another, each in its own axes.
+inline Eigen::Matrix2d motion_between(const ElementRates& from, const ElementRates& to) {
+  // The gradients of the shape functions of corners 1 and 2 are the inverse of the edges from corner 0.
+  return to.root_area / from.root_area * to.weighted_gradient.bottomRows<2>().inverse() *
+         from.weighted_gradient.bottomRows<2>();
+}
+
+/// A tensor in a plane as [(t11 - t22)/2, t12, (t11 + t22)/2] times any number, turned by the polar rotation
+/// of a deformation gradient (or of any positive multiple of it).
+inline Eigen::Vector3d turned(const Eigen::Vector3d& t, const Eigen::Matrix2d& gradient) {
+  const double c = gradient(0, 0) + gradient(1, 1), s = gradient(1, 0) - gradient(0, 1);
+  const double size = c * c + s * s;  // of the cosine and the sine, squared
+  const double cos_twice = (c * c - s * s) / size, sin_twice = 2 * c * s / size;
+  return {cos_twice * t[0] - sin_twice * t[1], sin_twice * t[0] + cos_twice * t[1], t[2]};
 }
 
 /// A tensor in a plane from t = [(t11 - t22)/2, t12, (t11 + t22)/2], in space.

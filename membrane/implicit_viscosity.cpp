@@ -25,6 +25,15 @@ ImplicitViscosity::ImplicitViscosity(Eigen::Matrix3Xi triangles, Eigen::Index n_
   stress_ = stress_before_ = Eigen::Matrix3Xd::Zero(3, rates_.n_rates());
 }
 
+void ImplicitViscosity::set_positions(const Eigen::Ref<const Eigen::Matrix3Xd>& positions) {
+  rates_.set_positions(positions);
+  if (has_positions_ && (theta_ > 0).any()) {
+    rates_.carry(stress_);
+    rates_.carry(stress_before_);
+  }
+  has_positions_ = true;
+}
+
 void ImplicitViscosity::add_memory(Eigen::Ref<Eigen::Matrix3Xd> numbers) const {
   numbers.array() += stress_.array().colwise() * theta_;
 }

@@ -27,9 +27,10 @@ struct ImplicitParameters {
 ///     s = B (u0 - M B^T s)      so      (1 + theta + B M B^T) s = B u0 + theta s(t),
 ///
 /// where theta is zero, or with a spring the relaxation time of the Maxwell element in steps: its law s +
-/// theta ds/dt = B u, with ds/dt = s(t+1) - s(t) (of first order in 1/theta). The matrix is symmetric and
-/// positive, for M is; so the equations of all membranes are solved together by conjugate gradients. This
-/// class has the parts of them that are the membrane's: who knows M puts them together.
+/// theta ds/dt = B u, with ds/dt = s(t+1) - s(t) in axes that turn with the material (of first order in
+/// 1/theta). The matrix is symmetric and positive, for M is; so the equations of all membranes are solved
+/// together by conjugate gradients. This class has the parts of them that are the membrane's: who knows M
+/// puts them together.
 ///
 /// An array of s has three numbers a column (StrainRates::n_rates() columns).
 class ImplicitViscosity {
@@ -43,8 +44,9 @@ class ImplicitViscosity {
   /// B of the positions given. The symbols above are of its rates.
   const StrainRates& rates() const { return rates_; }
 
-  /// The positions x(t+1), once a step and before it. @throws as StrainRates::set_positions()
-  void set_positions(const Eigen::Ref<const Eigen::Matrix3Xd>& positions) { rates_.set_positions(positions); }
+  /// The positions x(t+1), once a step and before it. With a spring the stresses that are remembered turn
+  /// with the material from the positions before. @throws as StrainRates::set_positions()
+  void set_positions(const Eigen::Ref<const Eigen::Matrix3Xd>& positions);
 
   /// 2 s(t) - s(t-1), for the equations to be solved from.
   Eigen::Matrix3Xd guess() const { return 2 * stress_ - stress_before_; }
@@ -77,6 +79,7 @@ class ImplicitViscosity {
  private:
   StrainRates rates_;
   Eigen::Array3d theta_;  ///< of the three numbers of a column
+  bool has_positions_ = false;
   Eigen::Matrix3Xd stress_, stress_before_;
 };
 

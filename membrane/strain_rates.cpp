@@ -190,6 +190,32 @@ void StrainRates::multiply_transposed(const Eigen::Ref<const Eigen::Matrix3Xd>& 
   }
 }
 
+void StrainRates::carry(Eigen::Ref<Eigen::Matrix3Xd> rates) const {
+  require_columns("the array of rates", rates.cols(), n_rates());
+  require_positions();
+  if (std::ssize(next_surface_.elements) != n_elements())
+    throw std::logic_error("strain rates: nothing to carry numbers from: positions were set once");
+  const Surface &now = surface_, &before = next_surface_;
+  const auto of_node = [&](Eigen::Index node) {
+    Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
+    for (const Eigen::Index corner : corners_of_node_.of(node)) {
+      const ElementRates &from = before.elements[corner / 3], &to = now.elements[corner / 3];
+      gradient += from.area() * (now.planes[node].axes.transpose() * to.axes) * motion_between(from, to) *
+                  (from.axes.transpose() * before.planes[node].axes);
+    }
+    return gradient;
+  };
+#pragma omp parallel for num_threads(n_threads_) schedule(static)
+  for (Eigen::Index k = 0; k < rates.cols(); ++k) {
+    if (at_ == RatesAt::elements) {
+      const ElementRates &from = before.elements[k], &to = now.elements[k];
+      rates.col(k) = to.root_area / from.root_area * turned(rates.col(k), motion_between(from, to));
+    } else {
+      rates.col(k) = now.planes[k].root_area / before.planes[k].root_area * turned(rates.col(k), of_node(k));
+    }
+  }
+}
+
 Eigen::Matrix<double, 9, Eigen::Dynamic> StrainRates::stress(
     const Eigen::Ref<const Eigen::Matrix3Xd>& rates) const {
   require_columns("the array of rates", rates.cols(), n_rates());

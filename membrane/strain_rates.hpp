@@ -101,6 +101,15 @@ class StrainRates {
   /// @throws as multiply()
   Eigen::Matrix<double, 9, Eigen::Dynamic> stress(const Eigen::Ref<const Eigen::Matrix3Xd>& rates) const;
 
+  /// Takes numbers that were of the positions before the last set_positions() to the present ones: the same
+  /// stress an element or node, which turns with the material, and the present areas as weights. The turn is
+  /// the polar rotation of the motion in between (at a node of the mean over the triangles around, weighted
+  /// by their areas), so that it is the same however edges are numbered; for small steps the spin of the
+  /// material, as in the rate of Jaumann.
+  /// @param rates 3 x n_rates
+  /// @throws std::logic_error if positions were set less than twice; as multiply()
+  void carry(Eigen::Ref<Eigen::Matrix3Xd> rates) const;
+
  private:
   /// The surface at its present positions. Of the nodes: empty with RatesAt::elements.
   struct Surface {
@@ -121,7 +130,7 @@ class StrainRates {
   Eigen::Index n_nodes_;
   Eigen::Vector3d roots_;  ///< square roots of the viscosities: shear, shear, dilatational
   CornersOfNode corners_of_node_;
-  Surface surface_, next_surface_;       ///< now; scratch
+  Surface surface_, next_surface_;       ///< now; the one before, and scratch
   mutable Eigen::Matrix3Xd of_corners_;  ///< scratch, by 3 element + corner
 };
 

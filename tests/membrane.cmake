@@ -22,3 +22,5 @@ tanktread_test(membrane_viscous_test SOURCES unit/membrane_viscous_test.cpp unit
 tanktread_test(membrane_strain_rates_test SOURCES unit/membrane_strain_rates_test.cpp
   verification/membrane_strain_rates_exact_test.cpp verification/membrane_strain_rates_order_test.cpp
   LIBRARIES membrane_test_support)
+tanktread_test(membrane_implicit_viscosity_test SOURCES unit/membrane_implicit_viscosity_test.cpp
+  LIBRARIES membrane_test_support)

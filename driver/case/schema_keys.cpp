@@ -93,8 +93,9 @@ bool is_implicit(const Case& the_case, std::size_t capsule) {
   return the_case.capsules[capsule].membrane.viscous.scheme == implicit_scheme;
 }
 
+// Whatever their value: a key that has no place is back at its default when this is asked.
 std::string refuse_interval(const Case& the_case, std::size_t capsule) {
-  if (!is_implicit(the_case, capsule) || the_case.capsules[capsule].membrane.viscous.interval == 1) return "";
+  if (!is_implicit(the_case, capsule)) return "";
   return "contradicts scheme = \"implicit\", which finds the viscous stress in every step; remove it";
 }
 
@@ -103,17 +104,18 @@ std::string refuse_sampling(const Case& the_case, std::size_t capsule) {
   return "contradicts scheme = \"implicit\", which looks at no strain; remove it";
 }
 
-std::string refuse_rate_of_strain(const Case& the_case, std::size_t capsule) {
-  const auto& viscous = the_case.capsules[capsule].membrane.viscous;
-  if (!is_implicit(the_case, capsule) || viscous.stress_measure == ViscousCase().stress_measure) return "";
-  return "contradicts scheme = \"implicit\", whose operator is that of the rate of deformation: with dE/dt "
-         "the "
-         "viscous force would not be the transpose of the rate, and the equations not symmetric; remove it, "
-         "or use scheme = \"fd\"";
+std::string refuse_stress_measure(const Case& the_case, std::size_t capsule) {
+  if (!is_implicit(the_case, capsule)) return "";
+  return "contradicts scheme = \"implicit\", whose stress is of the rate of deformation: with dE/dt the "
+         "viscous "
+         "force would not be the transpose of the rate, and the equations not symmetric; remove it, or use "
+         "scheme = \"fd\"";
 }
 
+/// With "none" it has no effect, as the others: so a viscosity can be switched off by its scheme alone.
 std::string refuse_unless_implicit(const Case& the_case, std::size_t capsule) {
-  if (is_implicit(the_case, capsule)) return "";
+  const auto& scheme = the_case.capsules[capsule].membrane.viscous.scheme;
+  if (scheme == implicit_scheme || scheme == ViscousCase().scheme) return "";
   return "is of scheme = \"implicit\" only; remove it";
 }
 
@@ -169,7 +171,7 @@ std::vector<Key> viscous_keys(const std::string& prefix) {
           prefix + "stress_measure", "",
           "the rate that the viscous stress is of: D = F^-T (dE/dt) F^-1, or dE/dt")
           .one_of({"rate-of-deformation", "rate-of-strain"})
-          .unless(refuse_rate_of_strain),
+          .unless(refuse_stress_measure),
       key<InViscous<&V::strain_rates>>(prefix + "strain_rates", "",
                                        "implicit: of the elements around each node, or of each element")
           .one_of({"nodes", "elements"})

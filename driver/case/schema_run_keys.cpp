@@ -51,6 +51,7 @@ std::vector<Key> coupler_run_output_keys() {
           "coupler.implicit_iterations", "", "the most that these equations may take in a step")
           .from(1)
           .to(1'000'000)
+          .free_on_resume()
           .unless(refuse_without_implicit),
       key<InCase<&Case::run, &RunCase::shear_time>>("run.shear_time", "shear times", "end of the run")
           .from(0)

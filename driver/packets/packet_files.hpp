@@ -22,6 +22,10 @@ using Box = std::array<int, 3>;
 /// capsule of each triangle, field data `step` and `schema_version`.
 exchange::SurfacePacket surface_file(const Surfaces& surfaces, std::int64_t step);
 
+/// Point data of what the membrane stage writes where a membrane has an implicit viscosity: the forces so
+/// far, to which `tanktread implicit` adds the implicit viscous ones.
+inline constexpr const char* explicit_force_array = "explicit_force";
+
 /// Adds vectors on the nodes as point data.
 void add_vectors(exchange::SurfacePacket& file, const std::string& name, const NodeVectors& vectors);
 

@@ -61,8 +61,11 @@ bool is_of_implicit(Packet packet) {
   return packet == Packet::explicit_force || packet == Packet::free_velocity;
 }
 
-GridVectors on_nodes(GridVectors vectors, const NodeList& nodes, const std::string& what) {
-  if (vectors.nodes == nodes || *vectors.nodes == *nodes) return vectors;
+bool are_on(const GridVectors& vectors, const NodeList& nodes) {
+  return vectors.nodes == nodes || *vectors.nodes == *nodes;
+}
+
+GridVectors on_nodes(const GridVectors& vectors, const NodeList& nodes, const std::string& what) {
   GridVectors result{nodes, {}};
   result.values.reserve(3 * nodes->size());
   auto found = vectors.nodes->begin();

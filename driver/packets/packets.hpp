@@ -21,10 +21,11 @@ struct GridVectors {
   std::vector<double> mobility = {};
 };
 
-/// The vectors on the nodes asked for, of vectors on these or more. What is asked for as it is, is not
-/// copied.
+/// Whether vectors are on these nodes and no others.
+bool are_on(const GridVectors& vectors, const NodeList& nodes);
+/// The vectors on the nodes asked for, of vectors on these or more.
 /// @throws std::invalid_argument if one is missing, naming `what` is
-GridVectors on_nodes(GridVectors vectors, const NodeList& nodes, const std::string& what);
+GridVectors on_nodes(const GridVectors& vectors, const NodeList& nodes, const std::string& what);
 
 /// In which capsule some nodes of the grid lie.
 struct GridMarks {

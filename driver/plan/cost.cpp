@@ -53,11 +53,13 @@ double Cost::write_seconds() const {
 
 double memory_needed_bytes(const Case& the_case, const std::vector<membrane::TriangleMesh>& meshes) {
   // Program and libraries; a membrane node with its two triangles, at work and in a file; their history.
-  constexpr double program = 20e6, node = 1500, node_history = 500;
+  // An implicit viscosity has its operator twice (now, and the step before), and the vectors of its solution.
+  constexpr double program = 20e6, node = 1500, node_history = 500, node_operator = 2300;
   double bytes = program + fluid_memory_bytes(the_case.flow);
   for (std::size_t k = 0; k < meshes.size(); ++k) {
-    const bool has_history = the_case.capsules[k].membrane.viscous.scheme != "none";
-    bytes += (node + (has_history ? node_history : 0)) * static_cast<double>(meshes[k].points.cols());
+    const auto& scheme = the_case.capsules[k].membrane.viscous.scheme;
+    const double history = scheme == "none" ? 0 : scheme == implicit_scheme ? node_operator : node_history;
+    bytes += (node + history) * static_cast<double>(meshes[k].points.cols());
   }
   return bytes;
 }

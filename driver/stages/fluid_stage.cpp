@@ -44,6 +44,12 @@ void take_steps(fluid::Fluid& fluid, const FluidStage& stage) {
 }
 
 void check_places(const FluidStage& stage) {
+  if (!stage.free.empty() && !stage.the_case.flow.command.empty()) {
+    throw InputError(
+        "--free: a program in the place of the fluid (flow.command) is not asked for the velocity without "
+        "forces; "
+        "leave out --free");
+  }
   // A state may be carried on in its place.
   check_output({"--out", stage.out}, grid_output(), {{"--force", stage.force}, {"--inside", stage.inside}});
   std::vector<NamedFile> before = {{"--out", stage.out}};
@@ -72,7 +78,10 @@ void write_free_velocity(const fluid::Fluid& fluid, const FluidStage& stage, std
 void run(const FluidStage& stage) {
   check_places(stage);
   // The lattice, and once more as the state to write.
-  require_memory(fluid_memory_bytes(stage.the_case.flow), stage.the_case.file.string() + ": flow.box");
+  const auto& box = stage.the_case.flow.box;
+  const double free_bytes = stage.free.empty() ? 0 : 2.0 * 5 * sizeof(double) * box[0] * box[1] * box[2];
+  require_memory(fluid_memory_bytes(stage.the_case.flow) + free_bytes,
+                 stage.the_case.file.string() + ": flow.box");
   const auto numbers = flow_parameters(stage.the_case);
   const auto fluid = make_fluid(stage.the_case, numbers);
   if (!stage.state.empty()) {

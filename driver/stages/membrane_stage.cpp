@@ -14,8 +14,11 @@ namespace {
 /// Takes over the histories of a former output of this stage.
 void restore(std::vector<CapsuleMembrane>& membranes, const std::filesystem::path& state) {
   const auto file = exchange::read_surface(state);
-  check_surfaces(surfaces_of(file, state.string()), membranes, state.string());
+  const auto surfaces = surfaces_of(file, state.string());
+  check_surfaces(surfaces, membranes, state.string());
   check_references(file, membranes, state.string());
+  // An implicit viscosity remembers stresses at these positions.
+  for (std::size_t k = 0; k < membranes.size(); ++k) membranes[k].set_positions(surfaces.positions[k]);
   restore_membranes(membranes, file, state.string());
 }
 
@@ -76,6 +79,7 @@ void run(const MembraneStage& stage) {
   const auto forces = nodal_forces(membranes, input.positions, input.velocity, input.step);
   auto file = membrane_file(membranes, input.velocity, forces, input.step,
                             static_cast<double>(input.step) * numbers.shear_rate);
+  if (any_implicit(membranes)) add_vectors(file, explicit_force_array, forces);
   add_state(file, membranes);
   exchange::write_surface(stage.out, file);
 }

@@ -5,6 +5,8 @@
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "driver/system/node_ranges.hpp"
@@ -105,7 +107,15 @@ class Equations : public Eigen::EigenBase<Equations> {
     return numbers;
   }
 
-  /// B u + theta s(t), u that which the fluid will have if the nodal forces are F0 - B^T s.
+  /// theta s(t).
+  Eigen::VectorXd memory() const {
+    Eigen::VectorXd numbers = Eigen::VectorXd::Zero(n_numbers_);
+    for_each(
+        [&](std::size_t k, const auto& viscosity) { viscosity.add_memory(part(numbers, k, viscosity)); });
+    return numbers;
+  }
+
+  /// B u, u that which the fluid will have if the nodal forces are F0 - B^T s.
   /// @param force F0
   Eigen::VectorXd rates_under(const Eigen::VectorXd& stress, const NodeVectors& force,
                               std::span<const double> free) const {
@@ -114,9 +124,7 @@ class Equations : public Eigen::EigenBase<Equations> {
     mobility_.velocity_of(force_, free, velocity_);
     Eigen::VectorXd numbers(n_numbers_);
     for_each([&](std::size_t k, const auto& viscosity) {
-      auto of_membrane = part(numbers, k, viscosity);
-      viscosity.rates().multiply(velocity_[k], of_membrane);
-      viscosity.add_memory(of_membrane);
+      viscosity.rates().multiply(velocity_[k], part(numbers, k, viscosity));
     });
     return numbers;
   }
@@ -215,11 +223,40 @@ using Solver =
     Eigen::ConjugateGradient<Equations, Eigen::Lower | Eigen::Upper, Eigen::IdentityPreconditioner>;
 
 [[noreturn]] void refuse(int iterations, double error, const ImplicitSettings& settings) {
+  if (!std::isfinite(error))
+    throw NotConverged("the velocities of membrane nodes without the implicit viscous forces are not finite");
   throw NotConverged(
       fmt::format("the implicit viscous forces were not found: after {} iterations their rates are off by "
                   "{:.3g} of their "
-                  "norm, above coupler.implicit_tolerance = {:g}; raise that, or coupler.implicit_iterations",
+                  "norm, above coupler.implicit_tolerance = {:g}; raise coupler.implicit_iterations (in the "
+                  "echo.toml of a run that "
+                  "is resumed, too)",
                   iterations, error, settings.tolerance));
+}
+
+/// From a guess; most steps need no iteration, and then one look at the fluid. The unknown is what is missing
+/// from the guess. How large the rates are is known from their solution only, so that it may take more than
+/// one go.
+/// @return iterations
+int solve(const Equations& equations, const NodeVectors& force, std::span<const double> free,
+          const ImplicitSettings& settings, Eigen::VectorXd& stress) {
+  const Eigen::VectorXd memory = equations.memory();
+  for (int iterations = 0;;) {
+    const Eigen::VectorXd rates = equations.rates_under(stress, force, free);
+    const Eigen::VectorXd missing = rates + memory - equations.diagonal(stress);
+    const double error = missing.norm(), scale = rates.norm();
+    if (error <= settings.tolerance * scale) return iterations;
+    if (!std::isfinite(error) || iterations >= settings.most_iterations)
+      refuse(iterations, error / scale, settings);
+    Solver solver(equations);
+    solver.setTolerance(0.5 * settings.tolerance * scale / error);
+    solver.setMaxIterations(settings.most_iterations - iterations);
+    const Eigen::VectorXd change = solver.solve(missing);
+    stress += change;
+    iterations += std::max<int>(1, static_cast<int>(solver.iterations()));
+    const double left = solver.error() * error;
+    if (left <= settings.tolerance * (equations.diagonal(stress) - memory).norm()) return iterations;
+  }
 }
 
 }  // namespace
@@ -233,30 +270,12 @@ int add_implicit_forces(std::vector<CapsuleMembrane>& membranes, const coupler::
                         const NodeCorrections& corrections, const GridVectors& free,
                         const ImplicitSettings& settings, NodeVectors& force) {
   const auto nodes = coupler.grid_node_list();
-  const bool fits = free.nodes == nodes || *free.nodes == *nodes;
+  const bool fits = are_on(free, nodes);
   const GridVectors picked = fits ? GridVectors() : on_nodes(free, nodes, "free velocity");
   const GridVectors& touched = fits ? free : picked;
-  for (auto& membrane : membranes) {
-    auto* viscosity = membrane.implicit_viscosity();
-    if (viscosity != nullptr) viscosity->set_positions(membrane.positions());
-  }
   Equations equations(membranes, {membranes, coupler, corrections, touched.mobility, settings.threads});
-  // The unknown is what is missing from the guess: most steps need no iteration, and then one look at the
-  // fluid.
   Eigen::VectorXd stress = equations.guess();
-  const Eigen::VectorXd rates = equations.rates_under(stress, force, touched.values);
-  const Eigen::VectorXd missing = rates - equations.diagonal(stress);
-  const double allowed = settings.tolerance * rates.norm();
-  int iterations = 0;
-  if (!(missing.norm() <= allowed)) {
-    Solver solver(equations);
-    solver.setTolerance(allowed / missing.norm());
-    solver.setMaxIterations(settings.most_iterations);
-    stress += solver.solve(missing);
-    iterations = static_cast<int>(solver.iterations());
-    if (solver.info() != Eigen::Success || !stress.allFinite())
-      refuse(iterations, solver.error() * missing.norm() / rates.norm(), settings);
-  }
+  const int iterations = solve(equations, force, touched.values, settings, stress);
   const auto& viscous = equations.forces_of(stress);
   for (std::size_t k = 0; k < force.size(); ++k) force[k] -= viscous[k];
   equations.accept(stress);

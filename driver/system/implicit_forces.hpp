@@ -41,6 +41,7 @@ class NotConverged : public std::runtime_error {
 /// for the tolerance. v and m are the free velocity of the fluid and its mobility, so that u0
 /// - M B^T s is the velocity that the next step finds there. All membranes are solved for together, for each
 /// moves the nodes of the others.
+/// What coupler.keep_volume moves besides is not in u.
 /// @param membranes at x(t+1); those with an implicit viscosity take s(t+1)
 /// @param coupler with the stencils at x(t+1)
 /// @param free velocity and mobility (Packet::free_velocity) on the nodes that the stencils touch, or more

@@ -42,7 +42,7 @@ NodeVectors interpolated_velocity(const coupler::Coupler& coupler, const GridVec
   resize_like(positions, memory);
   const auto targets = targets_of(memory);
   const auto nodes = coupler.grid_node_list();
-  if (velocity.nodes == nodes || *velocity.nodes == *nodes) {
+  if (are_on(velocity, nodes)) {
     coupler.interpolate(velocity.values, targets);
   } else {
     coupler.interpolate(on_nodes(velocity, nodes, "velocity").values, targets);

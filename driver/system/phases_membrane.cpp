@@ -24,6 +24,17 @@ bool moves_too_far(const Eigen::Vector3d& velocity) {
       node, capsule, at[0], at[1], at[2], velocity.norm(), longest_move));
 }
 
+/// An implicit viscosity follows its membrane. @throws InvertedElement that names the capsule
+void move_implicit(CapsuleMembrane& membrane, std::size_t number) {
+  auto* viscosity = membrane.implicit_viscosity();
+  if (viscosity == nullptr) return;
+  try {
+    viscosity->set_positions(membrane.positions());
+  } catch (const membrane::InvertedElement& error) {
+    throw membrane::InvertedElement(fmt::format("capsule {}: {}", number, error.what()));
+  }
+}
+
 }  // namespace
 
 NodeVectors move_nodes(const NodeVectors& positions, const NodeVectors& velocity, int threads,
@@ -54,6 +65,7 @@ NodeVectors nodal_forces(std::vector<CapsuleMembrane>& membranes, const NodeVect
   for (std::size_t k = 0; k < membranes.size(); ++k)
     steps.push_back(membranes[k].step_to(positions[k], forces[k]));
   membrane::advance(steps);
+  for (std::size_t k = 0; k < membranes.size(); ++k) move_implicit(membranes[k], k);
   for (std::size_t k = 0; k < membranes.size(); ++k)
     if (membranes[k].has_program()) forces[k] = membranes[k].program_forces(velocity[k], step);
   return forces;
@@ -64,7 +76,6 @@ void add_viscous_forces_of(std::vector<CapsuleMembrane>& membranes, const NodeVe
   for (std::size_t k = 0; k < membranes.size(); ++k) {
     auto* viscosity = membranes[k].implicit_viscosity();
     if (viscosity == nullptr) continue;
-    viscosity->set_positions(membranes[k].positions());
     viscosity->accept(viscosity->stress_of(velocity[k]));
     Eigen::Matrix3Xd viscous(3, force[k].cols());
     viscosity->rates().multiply_transposed(viscosity->stress(), viscous);

@@ -5,6 +5,7 @@
 
 #include "driver/case/toml_line.hpp"
 #include "driver/program/version.hpp"
+#include "driver/units/laws.hpp"
 
 namespace tanktread::driver {
 namespace {
@@ -32,6 +33,7 @@ void put_flow(std::string& toml, const FlowParameters& flow) {
   put(toml, "mach_number", flow.mach_number, "U0 sqrt(3), without walls g a sqrt(3)");
 }
 
+/// @param interval 0: none, of an implicit viscosity
 /// A part of the membrane viscosity, "shear" or "dilatational", with its letter in the formulas.
 void put_viscous_part(std::string& toml, const std::string& part, char letter, double viscosity,
                       double spring, int interval, double boussinesq_unit) {
@@ -41,6 +43,7 @@ void put_viscous_part(std::string& toml, const std::string& part, char letter, d
       fmt::format("Bq_{0} = mu_{0}/(mu_o a)", letter));
   if (spring == 0) return;  // of an implicit viscosity
   put(toml, fmt::format("viscous.{}_spring", part), spring, fmt::format("k_{}'", letter));
+  if (interval == 0) return;
   put(toml, fmt::format("viscous.interval_times_{}_spring", part), interval * spring,
       fmt::format("N k_{}'", letter));
 }
@@ -59,10 +62,11 @@ void put_capsule(std::string& toml, const CapsuleParameters& capsule, double out
   if (!capsule.viscous) return;
   const auto& viscous = *capsule.viscous;
   const double unit = outer_viscosity * capsule.radius;
-  put(toml, "viscous.interval", viscous.interval, "steps; N");
-  put_viscous_part(toml, "shear", 's', viscous.shear_viscosity, viscous.shear_spring, viscous.interval, unit);
+  const int interval = is_implicit(viscous) ? 0 : viscous.interval;
+  if (interval > 0) put(toml, "viscous.interval", interval, "steps; N");
+  put_viscous_part(toml, "shear", 's', viscous.shear_viscosity, viscous.shear_spring, interval, unit);
   put_viscous_part(toml, "dilatational", 'd', viscous.dilatational_viscosity, viscous.dilatational_spring,
-                   viscous.interval, unit);
+                   interval, unit);
 }
 
 }  // namespace

@@ -49,7 +49,10 @@ def viscous_parameters(echo):
     if viscous.get("scheme", "none") == "none":
         return dict.fromkeys(VISCOUS, "")
     springs = (f"{key} {viscous[key]!r}" for key in viscous if key.startswith("spring_"))
-    return {name: str(viscous.get(name, "")) for name in VISCOUS} | {"spring": " ".join(springs)}
+    words = {name: str(viscous.get(name, "")) for name in VISCOUS} | {"spring": " ".join(springs)}
+    if "strain_rates" in viscous:  # of the implicit scheme
+        words["scheme"] += f" {viscous['strain_rates']}"
+    return words
 
 
 def switches(echo):

@@ -89,7 +89,7 @@ def capillary_number_by_shear_modulus(membrane):
 COMPONENTS = {
     "fluid_percent": ("fluid", "forced nodes"),
     "coupler_percent": ("stencils", "interpolation", "spreading", "correction"),
-    "membrane_percent": ("membranes",),
+    "membrane_percent": ("membranes", "implicit forces"),
 }
 
 

@@ -101,6 +101,9 @@ RANGES = [
 # Five nodes along x, and a capsule that has room there.
 NARROW = changed(changed(changed(CASE, "12, 12, 12", "5, 12, 12"), "6.0, 6.0, 6.0", "2.5, 6.0, 6.0"), "radius = 3.0", "radius = 2.0")
 
+# A program in the place of the fluid, of which an implicit viscosity asks too much.
+IMPLICIT_OUTSIDE = changed(CASE, "[flow]", "[flow]\ncommand = ['sh']").replace("capillary_number = 0.3", "capillary_number = 0.3\nviscous.scheme = 'implicit'")
+
 TOGETHER = [
     assigned("two speeds", "flow.reynolds_number=0.1", "contradicts"),
     assigned("a shear rate between walls", "flow.shear_rate=1e-4", 'kind = "periodic"'),
@@ -108,6 +111,14 @@ TOGETHER = [
     assigned("a parameter of another law", "membrane.area_ratio=1", "neo-hookean", "has none"),
     assigned("a modulus of another law", "membrane.capillary_modulus=gamma", "contradicts elastic_law"),
     assigned("a scheme without a spring", "membrane.viscous.scheme=fd", "exactly one of spring_stiffness"),
+    assigned("an implicit scheme with two springs", "membrane.viscous={scheme='implicit', spring_stiffness=1, spring_modulus=1}", "at most one of spring_stiffness"),
+    assigned("an implicit scheme every three steps", "membrane.viscous={scheme='implicit', interval=3}", "membrane.viscous.interval", "in every step"),
+    assigned("an implicit scheme with samples of strain", "membrane.viscous={scheme='implicit', strain_sampling='latest'}", "looks at no strain"),
+    assigned("an implicit scheme of dE/dt", "membrane.viscous={scheme='implicit', stress_measure='rate-of-strain'}", "rate of deformation"),
+    assigned("strain rates of an explicit scheme", "membrane.viscous={scheme='fd', spring_stiffness=1, strain_rates='nodes'}", "of scheme = \"implicit\" only"),
+    assigned("a tolerance of no equations", "coupler.implicit_tolerance=1e-6", "which no capsule has"),
+    assigned("iterations of no equations", "coupler.implicit_iterations=10", "which no capsule has"),
+    whole("implicit forces of an outside fluid", IMPLICIT_OUTSIDE, "membrane.viscous.scheme", "contradicts flow.command"),
     assigned("an inner viscosity", "flow.viscosity_ratio=5", "only 1 can be run"),
     assigned("a program that is not there", "membrane.command=['no-such-program']", "no-such-program"),
     assigned("a capsule outside the box", "capsule.0.position=[6, 6, 60]", "capsule.0.position", "outside the box"),

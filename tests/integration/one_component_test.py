@@ -34,7 +34,7 @@ STAGES = (
     ("coupler", "coupler interpolate --case case.toml --in rest.vtu --grid flow.vti --out moving.vtu"),
     ("membrane", "membrane --case case.toml --in moving.vtu --move --state rest.vtu --out forces.vtu"),
     ("coupler", "coupler spread --case case.toml --in forces.vtu --out force.vti"),
-    ("fluid", "fluid --case case.toml --state state.vti --force force.vti --out next.vti"),
+    ("fluid", "fluid --case case.toml --state state.vti --force force.vti --out next.vti --free free.vti"),
     ("membrane", "membrane --case case.toml --motion twist --shear-time 0.05 --out twist"),
     ("membrane", "mesh sphere --level 2 sphere.vtu"),
     ("membrane", "mesh info sphere.vtu"),
@@ -52,6 +52,7 @@ NEEDS = {
     "mesh": "the membrane",
     "coupler": "the coupler",
     "fluid": "the fluid",
+    "implicit": "the membrane and the coupler",
 }
 MISSING = {
     "fluid": {name: needs for name, needs in NEEDS.items() if name != "fluid"} | {"study": "the membrane or the coupler"},
@@ -121,6 +122,21 @@ class OneComponent(unittest.TestCase):
                     else:
                         self.assertEqual(ended.returncode, 2)
                         self.assertIn(f"--only {component}: left out of this program, since it needs the {component};", ended.stderr)
+
+    def test_forces_that_two_components_find_together_are_missing_where_one_of_them_is(self):
+        viscous = "--set membrane.viscous={scheme='implicit',boussinesq_shear=1}"
+        recorded = self.call(WHOLE, f"run case.toml --output run --shear-time 0.01 --record record {viscous}")
+        self.assertEqual(recorded.returncode, 0, recorded.stderr)
+        whole = self.call(WHOLE, "replay record --only implicit")
+        self.assertIn("implicit: identical: 6 steps", whole.stdout, whole.stderr)
+        for program in COMPONENTS:
+            with self.subTest(program=program):
+                replayed = self.call(alone(program), f"replay record --only {program}")
+                self.assertEqual((replayed.returncode, replayed.stderr), (0, ""))
+                self.assertIn(f"{program}: identical: 6 steps", replayed.stdout)
+                missing = self.call(alone(program), "replay record --only implicit")
+                self.assertEqual(missing.returncode, 2)
+                self.assertIn("--only implicit: left out of this program, since it needs the membrane and the coupler;", missing.stderr)
 
     def test_help_names_what_is_there_and_what_is_missing(self):
         there = listed(self.call(WHOLE, "--help").stdout, "Subcommands")

@@ -143,6 +143,18 @@ class DefaultCoupling(unittest.TestCase):
             self.assertAlmostEqual(inclination, float(row["inclination_deg"]), delta=1e-4)
 
 
+class ImplicitScheme(unittest.TestCase):
+    def test_the_reference_of_the_case_is_this_theory(self):
+        rows = reference.read_table(ROOT / "cases/small-deformation-viscous/reference/implicit.csv")
+        self.assertEqual(len(rows), 5)
+        for row in rows:
+            number, shear = float(row["capillary_number"]), float(row["bq_s"])
+            deformation, inclination = steady_state(number * DefaultCoupling.BOX, shear)
+            self.assertAlmostEqual(steady_state(number, shear)[0], float(row["deformation_unbounded"]), delta=1e-7)
+            self.assertAlmostEqual(deformation, float(row["deformation"]), delta=1e-7)
+            self.assertAlmostEqual(inclination, float(row["inclination_deg"]), delta=1e-4)
+
+
 class StartUp(unittest.TestCase):
     # The slowest part decays as exp(-1.1 t). The spring is mu_s g/tau_s = 4e6 beside the membrane's 50: 1.3e-5.
     def test_ends_in_the_steady_state(self):

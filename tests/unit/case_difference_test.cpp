@@ -30,6 +30,8 @@ std::vector<Case> samples() {
   cases.back().capsules[0].mesh.file = "/somewhere/cell.vtu";
   cases.push_back(cases.front());
   cases.back().capsules[0].membrane.elastic_law = "hookean";
+  cases.push_back(cases.front());
+  cases.back().capsules[0].membrane.viscous.scheme = "implicit";
   return cases;
 }
 
@@ -45,7 +47,7 @@ std::optional<Case> changed(const Case& the_case, const Key& key) {
 
 TEST(CaseDifference, OnlyTheseKeysMayChangeWhenARunGoesOn) {
   const std::set<std::string> free = {"title",
-                                      "capsule.N.mesh.file",  // the path; what it holds is in file_hash
+                                      "capsule.N.mesh.file", "coupler.implicit_iterations",  // the path; what it holds is in file_hash
                                       "run.shear_time",
                                       "run.threads",
                                       "run.checkpoint_every",

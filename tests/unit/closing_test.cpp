@@ -36,6 +36,11 @@ TEST(Closing, EachAccountHasItsRowAndTheRestToo) {
             "  membranes           12.346     12.3\n"
             "  files                5.000      5.0\n"
             "  else                 2.654      2.7\n");
+  seconds.implicit = 2;  // of the runs that have such forces
+  EXPECT_THAT(time_table(seconds, 5, 100), HasSubstr("  membranes           12.346     12.3\n"
+                                                     "  implicit forces      2.000      2.0\n"
+                                                     "  files                5.000      5.0\n"
+                                                     "  else                 0.654      0.7\n"));
 }
 
 TEST(Closing, TheFluidIsHeldAgainstMemory) {
