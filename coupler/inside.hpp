@@ -28,7 +28,8 @@ class InsideError : public std::runtime_error {
 ///
 /// A node on the surface counts as if it were a little further along x, by far less along y, and by far less
 /// again along z: of a box the faces at the lesser x, y and z are inside, those at the greater ones outside.
-/// So two surfaces that share the nodes and the triangles between them mark each grid node there once.
+/// So two surfaces that share the triangles between them, at the same positions to the last bit, mark each
+/// grid node there once.
 ///
 /// Surface positions may lie anywhere on a periodic axis (they need not be wrapped), and a surface may go
 /// across its faces. What is beyond a wall is left out. A hole that no row passes through is not seen, nor an

@@ -30,12 +30,10 @@ double node_position(int node) {
   return node + 0.5;
 }
 
-/// start + part (end - start)/whole, between start and end. The product comes first: where all numbers are
-/// short and so is the answer, it is exact.
+/// start + part (end - start)/whole. The product comes first: where all numbers are short and so is the
+/// answer, it is exact.
 double between(double start, double end, double part, double whole) {
-  const double value = start + part * (end - start) / whole;
-  const auto [least, greatest] = std::minmax(start, end);
-  return std::clamp(value, least, greatest);
+  return start + part * (end - start) / whole;
 }
 
 std::string name_of(const RowSurface& surface) {
@@ -168,9 +166,9 @@ void RowScan::cross(const RowSurface& surface, AxisRange planes) {
     const std::array<const RowSurface::Node*, 3> corners = {&surface.nodes[surface.triangles[t]],
                                                             &surface.nodes[surface.triangles[t + 1]],
                                                             &surface.nodes[surface.triangles[t + 2]]};
-    const auto [least, greatest] = std::minmax({corners[0]->plane, corners[1]->plane, corners[2]->plane});
-    const int end = std::min(greatest, planes.end);
-    for (int plane = std::max(least, planes.begin); plane < end; ++plane)
+    const int a = corners[0]->plane, b = corners[1]->plane, c = corners[2]->plane;
+    const int end = std::min(std::max(std::max(a, b), c), planes.end);
+    for (int plane = std::max(std::min(std::min(a, b), c), planes.begin); plane < end; ++plane)
       cross(surface, corners, plane, (plane - planes.begin) * n_rows);
   }
 }
@@ -179,11 +177,18 @@ void RowScan::cross(const RowSurface& surface, AxisRange planes) {
 void RowScan::cross(const RowSurface& surface, const std::array<const RowSurface::Node*, 3>& corners,
                     int plane, int first_row) {
   const double z = node_position(plane);
-  const bool above[] = {corners[0]->plane > plane, corners[1]->plane > plane, corners[2]->plane > plane};
-  const int alone = above[0] == above[1] ? 2 : above[0] == above[2] ? 1 : 0;
-  const auto &corner = *corners[alone], &next = *corners[(alone + 1) % 3], &last = *corners[(alone + 2) % 3];
-  const Cut to_next = above[alone] ? Cut(next, corner, z) : Cut(corner, next, z),
-            to_last = above[alone] ? Cut(last, corner, z) : Cut(corner, last, z);
+  // Without branches, of which no processor could tell the outcome: the corner that is alone on its side of
+  // the plane, by which corners are above, a bit each.
+  constexpr int next_of[] = {1, 2, 0}, last_of[] = {2, 0, 1};
+  constexpr int alone_of[] = {0, 0, 1, 2, 2, 1, 0, 0};
+  const int above =
+      (corners[0]->plane > plane) + 2 * (corners[1]->plane > plane) + 4 * (corners[2]->plane > plane);
+  const int alone = alone_of[above];
+  const bool alone_above = (above >> alone & 1) != 0;
+  const RowSurface::Node *corner = corners[alone], *next = corners[next_of[alone]],
+                         *last = corners[last_of[alone]];
+  const Cut to_next(*(alone_above ? next : corner), *(alone_above ? corner : next), z),
+      to_last(*(alone_above ? last : corner), *(alone_above ? corner : last), z);
   if (to_next.row == to_last.row) return;
   // In the order of y, so that the triangle's neighbour in another surface, which is the same triangle turned
   // over, has the same crossings.
@@ -193,7 +198,7 @@ void RowScan::cross(const RowSurface& surface, const std::array<const RowSurface
   const int end = std::min(second.row, surface.rows.end);
   // Seen along -x, with y to the right and z up, an outer side is counter-clockwise: its boundary goes up at
   // the greater y.
-  const bool leaving = above[alone] == ascending;
+  const bool leaving = alone_above == ascending;
   for (int row = std::max(first.row, surface.rows.begin); row < end; ++row) {
     found_.push_back({between(x, other_x, node_position(row) - first.y, second.y - first.y),
                       first_row + row - surface.rows.begin, leaving});
@@ -213,9 +218,7 @@ void RowScan::fill(const Grid& grid, const RowSurface& surface, Row row, std::sp
   const auto refuse = [&](const std::string& what, int x) {
     fault_ = name_of(surface) + what + " at grid node " + name_of_node(grid, {x, row.y, row.z});
   };
-  std::ranges::sort(crossings, [](const Crossing& a, const Crossing& b) {
-    return a.x != b.x ? a.x < b.x : a.leaving < b.leaving;
-  });
+  std::ranges::sort(crossings, {}, &Crossing::x);
   int winding_number = 0;
   for (const Crossing& crossing : crossings) winding_number += crossing.leaving ? -1 : 1;
   if (winding_number != 0) {

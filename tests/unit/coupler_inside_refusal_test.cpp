@@ -58,12 +58,24 @@ TEST(InsideRefusal, SurfacesThatOverlap) {
   EXPECT_EQ(refusal({box({4, 4, 4}, {6.4, 7, 7}), box({5.6, 4, 4}, {9, 7, 7})}), "");
 }
 
+/// Two surfaces as one.
+Surface joined_surfaces(Surface first, const Surface& second) {
+  const int n_nodes = static_cast<int>(first.positions.size() / 3);
+  first.positions.insert(first.positions.end(), second.positions.begin(), second.positions.end());
+  for (const int node : second.triangles) first.triangles.push_back(n_nodes + node);
+  return first;
+}
+
 TEST(InsideRefusal, ASurfaceThatOverlapsItself) {
-  Surface two = box({4, 4, 4}, {7, 7, 7});
-  const Surface other = box({6, 6, 6}, {9, 9, 9});
-  two.positions.insert(two.positions.end(), other.positions.begin(), other.positions.end());
-  for (const int node : other.triangles) two.triangles.push_back(node + 8);
-  EXPECT_EQ(refusal({two}), "coupler: surface 0 overlaps itself at grid node (6, 6, 6)");
+  EXPECT_EQ(refusal({joined_surfaces(box({4, 4, 4}, {7, 7, 7}), box({6, 6, 6}, {9, 9, 9}))}),
+            "coupler: surface 0 overlaps itself at grid node (6, 6, 6)");
+  // However short; but not by rounding, nor between nodes.
+  EXPECT_EQ(
+      refusal({joined_surfaces(box({4, 4, 4}, {6.5 + 1e-8, 7, 7}), box({6.5 - 1e-8, 4, 4}, {9, 7, 7}))}),
+      "coupler: surface 0 overlaps itself at grid node (6, 4, 4)");
+  for (const double end : {6.5 + 1e-13, 7.4})
+    EXPECT_EQ(refusal({joined_surfaces(box({4, 4, 4}, {end, 7, 7}), box({6.5 + 1e-14, 4, 4}, {9, 7, 7}))}),
+              "");
   // Longer than the period, or two.
   EXPECT_EQ(refusal({Surface{}, box({2, 4, 4}, {16, 6, 6})}),
             "coupler: surface 1 overlaps its periodic image at grid node (2, 4, 4)");

@@ -60,16 +60,19 @@ TEST(InsideShapes, AreMarkedAcrossPeriodicFacesEdgesAndCorners) {
 }
 
 TEST(InsideShapes, AreMarkedAlikeFarFromTheBox) {
-  // Coordinates are multiples of 2^-20, and so exact after any number of periods.
+  // Coordinates are multiples of 2^-20, and so exact after any number of periods; or of 1/2, so that many
+  // nodes are on faces, where the last bit decides.
   const Grid grid = {{19, 20, 21}, {true, true, true}};
   unsigned seed = 200;
-  for (const Shape& shape : shapes()) {
-    Surface surface = placed_at_random(shape.surface, {0, 0, 0}, {19, 20, 21}, ++seed);
-    for (double& number : surface.positions) number = std::round(number * 1048576.0) / 1048576.0;
-    const Marks marks = marks_of(grid, {surface});
-    for (const double periods : {-3.0, 7.0, -1e6, 2e7}) {
-      const Surface far = moved(surface, {19 * periods, -20 * periods, 21 * periods});
-      EXPECT_EQ(marks_of(grid, {far}), marks) << shape.name << ", " << periods << " periods";
+  for (const double unit : {0x1p-20, 0.5}) {
+    for (const Shape& shape : {shapes()[0], shapes()[2], shapes()[5]}) {
+      Surface surface = placed_at_random(shape.surface, {8.5, 9, 9.5}, {10.5, 11, 11.5}, ++seed);
+      for (double& number : surface.positions) number = unit * std::round(number / unit);
+      const Marks marks = marks_of(grid, {surface});
+      for (const double periods : {-3.0, 7.0, -1e6, 2e7}) {
+        const Surface far = moved(surface, {19 * periods, -20 * periods, 21 * periods});
+        EXPECT_EQ(marks_of(grid, {far}), marks) << shape.name << ", " << periods << " periods";
+      }
     }
   }
 }

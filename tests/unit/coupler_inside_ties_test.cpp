@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <numeric>
 
 #include "tests/unit/coupler_closed_surfaces.hpp"
 
@@ -88,7 +86,7 @@ std::vector<Surface> tetrahedra(bool periodic, const Offset& offset) {
         corners[step + 1] = corner(place);
       }
       // Neighbours shall not number the corners that they share in the same order.
-      std::ranges::rotate(corners, corners.begin() + surfaces.size() % 4);
+      std::rotate(corners.begin(), corners.begin() + surfaces.size() % 4, corners.end());
       surfaces.push_back(tetrahedron(corners));
     } while (std::ranges::next_permutation(path).found);
   }
@@ -240,6 +238,26 @@ TEST(InsideTies, RowsWithinRoundingOfNodesAndEdgesDoNotLeak) {
     on_surface += number_inside(larger) - number_inside(smaller);
   }
   EXPECT_GT(on_surface, 10000);
+}
+
+// Near a tip at a node a row is inside for a length that is less than the roundings of where it goes in and
+// out, which in one case of 5000 have the node between them, in the wrong order. That is not refused.
+TEST(InsideTies, TipsWithinRoundingOfNodesAreNoOverlap) {
+  const Grid grid = {{12, 12, 12}, {false, false, false}};
+  for (unsigned seed = 1; seed <= 40000; ++seed) {
+    const Numbers random = random_numbers(9, 1, 11, seed);
+    const std::vector<Surface> surfaces = {rounded_otherwise(
+        tetrahedron({Vector{5.5, 6.5, 4.5}, Vector{random[0], random[1], random[2]},
+                     Vector{random[3], random[4], random[5]}, Vector{random[6], random[7], random[8]}}),
+        seed)};
+    Marks marks;
+    ASSERT_NO_THROW(marks = marks_of(grid, surfaces)) << seed;
+    if (seed % 20 != 0) continue;
+    Marks expected = marks_by_solid_angles(grid, surfaces);
+    const int tip = 5 + 12 * (6 + 12 * 4);
+    marks[tip] = expected[tip] = 0;
+    ASSERT_EQ(marks, expected) << seed;
+  }
 }
 
 }  // namespace
