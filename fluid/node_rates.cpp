@@ -127,7 +127,7 @@ void NodeRates<Real>::fill_mixed(std::int64_t pack, std::span<const double> visc
 /// @param viscosity as kept
 template <typename Real>
 Rates<Real> NodeRates<Real>::rates_of(double viscosity) const {
-  // That of the settings is never taken by way of its viscosity, which would round once more.
+  // To the last bit what the settings' viscosity would give: tau+ - 1/2 is exact, and so is 3 (x/3) = x.
   const double relaxation_time =
       viscosity == 0.0 ? settings_.relaxation_time : 0.5 + d3q19::inverse_sound_speed_squared * viscosity;
   return {pack_of(static_cast<Real>(1.0 / relaxation_time)),

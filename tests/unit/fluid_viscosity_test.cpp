@@ -46,7 +46,8 @@ Numbers layered_viscosity(const LatticeBoltzmannSettings& settings, int n_values
   for_each_node(settings.shape, [&](int x, int y, int z, std::int64_t node) {
     const int row = y + settings.shape.ny * z;
     const double value = 0.02 + 0.01 * ((row + static_cast<int>(seed)) % n_values);
-    if (row % 3 == 0 && x >= 3 && x < 35) viscosity[node] = value;           // borders within the end packs
+    // Borders that leave the first node of a pack alone, and the last.
+    if (row % 3 == 0 && x >= 1 && x < 31) viscosity[node] = value;
     if (row % 3 == 1 && x >= 16) viscosity[node] = value;                    // borders between packs
     if (row % 3 == 2 && x % 11 == 0) viscosity[node] = 0.15 + single[node];  // each node another
   });
