@@ -9,7 +9,7 @@ namespace {
 void feed(ReplayRecord& record, const Case& the_case) {
   const auto coupler = make_coupler(the_case);
   const auto corrections = make_node_corrections(the_case, *coupler);
-  const auto inside = record.has_contrast() ? make_inside(the_case) : nullptr;
+  const auto inside = record.has_marks() ? make_inside(the_case) : nullptr;
   if (inside) {
     const auto start = record.surfaces_before(record.first_step());
     mark_inside(*inside, start.positions, start.triangles, true);

@@ -18,7 +18,7 @@ void feed(ReplayRecord& record, const Case& the_case) {
       record.compare(Packet::free_velocity, step,
                      free_velocity(*fluid, record.grid(Packet::free_velocity, step, true).nodes));
     }
-    if (record.has_contrast()) set_viscosity(*fluid, record.marks(step), viscosities);
+    if (record.has_marks()) set_viscosity(*fluid, record.marks(step), viscosities);
     advance_fluid(*fluid, record.grid(Packet::grid_force, step));
   }
   record.compare_end(state_file(fluid->state(), fluid->shape()));

@@ -171,7 +171,7 @@ void ReplayRecord::compare(std::int64_t step, const GridMarks& news, std::span<c
   add(step, name_of(Packet::inside), file, exchange::read_grid(file), marks_file(news, all, box_, step));
 }
 
-bool ReplayRecord::has_contrast() const {
+bool ReplayRecord::has_marks() const {
   return std::filesystem::exists(packet_path(directory_, Packet::inside, first_step()));
 }
 

@@ -38,7 +38,7 @@ class ReplayRecord {
   /// The nodes that the step which makes `step` brought into a capsule, or out of one.
   GridMarks marks(std::int64_t step) const;
   /// Whether the fluid in a capsule has another viscosity, and the record such marks.
-  bool has_contrast() const;
+  bool has_marks() const;
 
   /// Compares a packet with the recorded one; writes the difference as a field if that is wanted.
   void compare(Packet packet, std::int64_t step, const NodeVectors& given);
