@@ -80,6 +80,7 @@ TangentialCorrection::TangentialCorrection(const Coupler& coupler, std::vector<d
     const double mobility = of_kernel / (viscosity * squares);
     mobilities_.push_back(one ? Mobility{1, mobility} : Mobility{std::sqrt(mobility), std::sqrt(mobility)});
   }
+  n_surfaces_ = mobilities_.size() > 1 ? mobilities_.size() : 0;
   if (one) mobilities_.resize(1);
 }
 
@@ -104,7 +105,7 @@ void TangentialCorrection::add(const Coupler& coupler, std::span<const std::span
   }
   const auto& transfer = *coupler.implementation_;
   transfer.check_surfaces("correction, force", force);
-  if (mobilities_.size() > 1) check_size("correction, viscosities", mobilities_.size(), force.size());
+  if (n_surfaces_ > 0) check_size("correction, viscosities", n_surfaces_, force.size());
   const bool finite = transfer.for_all_nodes([&](std::size_t surface, std::size_t node) {
     return is_finite(&normals[surface][3 * node]) && is_finite(&force[surface][3 * node]);
   });

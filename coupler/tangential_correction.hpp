@@ -44,8 +44,9 @@ class TangentialCorrection {
   /// @param viscosity dynamic, mu of the fluid on both sides, lattice units
   /// @throws std::invalid_argument unless the viscosity is positive and finite
   TangentialCorrection(const Coupler& coupler, double viscosity);
-  /// @param viscosities one a surface; of a fluid that has others on the two sides of a membrane the harmonic
-  /// mean
+  /// @param viscosities one a surface, or one for all; of a fluid that has others on the two sides of a
+  /// membrane the harmonic mean
+  /// @throws std::invalid_argument if there is none, or one is not positive and finite
   TangentialCorrection(const Coupler& coupler, std::vector<double> viscosities);
 
   /// @param coupler of the same kernel, with its stencils at the positions of the nodes; all arrays as its
@@ -70,8 +71,9 @@ class TangentialCorrection {
 
   Kernel kernel_;
   std::vector<Mobility> mobilities_;  ///< of each surface, or one for all
+  std::size_t n_surfaces_ = 0;        ///< that viscosities were given for; 0: for any number
   /// The force on the grid while add() is at work: memory that is used again. So two threads may not be in it
-  /// at once. So two threads may not be in it at once.
+  /// at once.
   std::unique_ptr<std::vector<double>> on_grid_ = std::make_unique<std::vector<double>>();
 };
 

@@ -57,6 +57,13 @@ void keep_common(std::vector<Array>& recorded, const std::vector<Array>& given) 
   });
 }
 
+/// A packet as if all its nodes crossed the border.
+GridPacket without_touched(const std::filesystem::path& file) {
+  auto content = exchange::read_grid(file);
+  std::erase_if(content.point_data, [](const Array& array) { return array.name == touched_array; });
+  return content;
+}
+
 }  // namespace
 
 ReplayRecord::ReplayRecord(const ReplayOptions& options) : directory_(options.record), out_(options.out) {
@@ -107,9 +114,7 @@ NodeVectors ReplayRecord::nodes(Packet packet, std::int64_t step) const {
 GridVectors ReplayRecord::grid(Packet packet, std::int64_t step, bool everywhere) const {
   const auto file = packet_path(directory_, packet, step);
   if (!everywhere) return read_grid_packet(file, packet, box_, step);
-  auto content = exchange::read_grid(file);
-  std::erase_if(content.point_data, [](const Array& array) { return array.name == touched_array; });
-  return grid_vectors_of(content, array_of(packet), box_, file.string());
+  return grid_vectors_of(without_touched(file), array_of(packet), box_, file.string());
 }
 
 template <class File>
@@ -161,9 +166,11 @@ void ReplayRecord::compare(Packet packet, std::int64_t step, const GridVectors& 
   write_field(packet, step, recorded, now, array_of(packet));
 }
 
-GridMarks ReplayRecord::marks(std::int64_t step) const {
-  return read_marks_packet(packet_path(directory_, Packet::inside, step), begin_.positions.size(), box_,
-                           step);
+GridMarks ReplayRecord::marks(std::int64_t step, bool everywhere) const {
+  const auto file = packet_path(directory_, Packet::inside, step);
+  const auto n_capsules = begin_.positions.size();
+  if (!everywhere) return read_marks_packet(file, n_capsules, box_, step);
+  return grid_marks_of(without_touched(file), n_capsules, box_, file.string());
 }
 
 void ReplayRecord::compare(std::int64_t step, const GridMarks& news, std::span<const std::int32_t> all) {

@@ -36,7 +36,8 @@ class ReplayRecord {
   GridVectors grid(Packet packet, std::int64_t step, bool everywhere = false) const;
 
   /// The nodes that the step which makes `step` brought into a capsule, or out of one.
-  GridMarks marks(std::int64_t step) const;
+  /// @param everywhere the marks of all nodes instead
+  GridMarks marks(std::int64_t step, bool everywhere = false) const;
   /// Whether the fluid in a capsule has another viscosity, and the record such marks.
   bool has_marks() const;
 
