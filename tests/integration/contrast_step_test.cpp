@@ -22,6 +22,8 @@ position = [11.0, 10.0, 12.0]
 mesh = { level = 2 }
 [membrane]
 capillary_number = 0.2
+[run]
+threads = 1
 )";
 
 /// A box without walls, the fluid at rest.
@@ -43,6 +45,8 @@ viscosity_ratio = 0.2
 mesh = { level = 1 }
 [membrane]
 capillary_number = 0.3
+[run]
+threads = 1
 )";
 
 System make(const Case& the_case) {
@@ -112,9 +116,8 @@ double deformation(const std::string& viscosity_ratio) {
 // all begin with. So ratios of D are between these and 1.
 TEST(ContrastStep, AThickFluidDeformsLater) {
   const double thin = deformation("0.5"), same = deformation("1"), thick = deformation("5");
-  printf("D %.5f %.5f %.5f ratios %.4f %.4f\n", thin, same, thick, thick / same, thin / same);
   EXPECT_GT(same, 0.05);
-  EXPECT_LT(thick / same, 0.9);
+  EXPECT_LT(thick / same, 0.8);
   EXPECT_GT(thick / same, 5.0 / 13);
   EXPECT_GT(thin / same, 1.02);
   EXPECT_LT(thin / same, 5.0 / 4);
