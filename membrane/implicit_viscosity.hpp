@@ -17,7 +17,7 @@ struct ImplicitParameters {
   double dilatational_viscosity = 0;  ///< mu_d, 0: none
   /// Relaxation times 2 mu_s/k_s' and 2 mu_d/k_d' of Maxwell elements, steps; 0: no spring.
   double shear_relaxation = 0, dilatational_relaxation = 0;
-  RatesAt rates_at = RatesAt::nodes;
+  RatesAt rates_at = RatesAt::elements;
 };
 
 /// The viscous stresses of a membrane at time t+1, s = B u(t+1) (StrainRates), from a velocity that is not

@@ -54,7 +54,7 @@ struct ViscousCase {
   int interval = 1;                                    ///< N: steps between two updates of the viscous stress
   std::string strain_sampling = "latest";              ///< latest | moving-average
   std::string stress_measure = "rate-of-deformation";  ///< rate-of-deformation | rate-of-strain
-  std::string strain_rates = "nodes";                  ///< nodes | elements; of the implicit scheme
+  std::string strain_rates = "elements";               ///< elements | nodes; of the implicit scheme
 
   bool operator==(const ViscousCase&) const = default;
 };

@@ -173,8 +173,8 @@ std::vector<Key> viscous_keys(const std::string& prefix) {
           .one_of({"rate-of-deformation", "rate-of-strain"})
           .unless(refuse_stress_measure),
       key<InViscous<&V::strain_rates>>(prefix + "strain_rates", "",
-                                       "implicit: of the elements around each node, or of each element")
-          .one_of({"nodes", "elements"})
+                                       "implicit: of each element, or of the elements around each node")
+          .one_of({"elements", "nodes"})
           .unless(refuse_unless_implicit),
   };
 }

@@ -25,7 +25,7 @@ CapsuleParameters capsule_parameters(const CapsuleCase& capsule, double viscosit
     }
   }
   result.viscous = viscous_parameters(membrane.viscous, viscosity, capsule.radius, shear_rate);
-  if (membrane.viscous.strain_rates == "elements") result.rates_at = membrane::RatesAt::elements;
+  if (membrane.viscous.strain_rates == "nodes") result.rates_at = membrane::RatesAt::nodes;
   result.area_modulus = elastic_law(membrane, result)->area_modulus();
   return result;
 }

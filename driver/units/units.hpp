@@ -22,7 +22,7 @@ struct CapsuleParameters {
          capillary_by_gamma = 0;  ///< mu_o g a / modulus; 0 if it has none
   double viscosity_ratio = 1;
   std::optional<membrane::ViscousParameters> viscous;     ///< none: no membrane viscosity
-  membrane::RatesAt rates_at = membrane::RatesAt::nodes;  ///< of an implicit one
+  membrane::RatesAt rates_at = membrane::RatesAt::elements;  ///< of an implicit one
 };
 
 /// What follows for the flow and for each capsule.

@@ -51,7 +51,7 @@ TEST(CaseImplicit, WhatContradictsIt) {
        {"membrane.viscous.stress_measure = \"rate-of-strain\": contradicts scheme = \"implicit\"",
         "or use scheme"}},
       {{viscous("strain_rates = \"edges\"")},
-       {"strain_rates", "one of \"nodes\", \"elements\" (default \"nodes\")"}},
+       {"strain_rates", "one of \"elements\", \"nodes\" (default \"elements\")"}},
       {{viscous("spring_stiffness = 100, strain_rates = \"nodes\"", "fd")},
        {"membrane.viscous.strain_rates = \"nodes\": is of scheme = \"implicit\" only; remove it"}},
       {{"flow.command=[\"sh\"]", viscous("")},
@@ -102,7 +102,7 @@ TEST(CaseImplicit, OneCapsuleOfSeveralMayHaveIt) {
   const std::string two = least_case.substr(0, least_case.find("[membrane]")) + R"([[capsule]]
 radius = 3.0
 position = [6.0, 20.0, 22.0]
-membrane = { viscous = { scheme = "implicit", boussinesq_shear = 3.0, strain_rates = "elements" } }
+membrane = { viscous = { scheme = "implicit", boussinesq_shear = 3.0, strain_rates = "nodes" } }
 [membrane]
 capillary_number = 0.3
 viscous = { scheme = "fd", boussinesq_shear = 1.0, spring_stiffness = 100.0 }
@@ -112,7 +112,7 @@ implicit_tolerance = 1e-8
   EXPECT_EQ(refusal(two), "");
   const auto the_case = parse(two);
   EXPECT_TRUE(parse(to_toml(the_case)) == the_case) << to_toml(the_case);
-  EXPECT_EQ(the_case.capsules[1].membrane.viscous.strain_rates, "elements");
+  EXPECT_EQ(the_case.capsules[1].membrane.viscous.strain_rates, "nodes");
   const auto numbers = parameters(the_case);
   EXPECT_TRUE(any_implicit(the_case, numbers));
   const auto meshes = reference_meshes(the_case);
@@ -170,7 +170,7 @@ TEST(CaseImplicit, RatesAreWhereTheCaseSays) {
     EXPECT_EQ(made->rates().n_rates(),
               where == "nodes" ? meshes[0].points.cols() : meshes[0].triangles.cols());
   }
-  EXPECT_EQ(parse(least_case, {viscous("")}).capsules[0].membrane.viscous.strain_rates, "nodes");
+  EXPECT_EQ(parse(least_case, {viscous("")}).capsules[0].membrane.viscous.strain_rates, "elements");
 }
 
 std::string echo_of(const Case& the_case) {
@@ -195,7 +195,7 @@ std::string line_of(const std::string& text, const std::string& name) {
 TEST(CaseImplicit, TheEchoSaysHowItIsSolvedAndThatThereIsNoSpring) {
   const auto text = echo_of(parse(least_case, {viscous("")}));
   EXPECT_EQ(line_of(text, "viscous scheme"),
-            "viscous scheme implicit strain rates by nodes, to 0.001 in at most 1000 iterations");
+            "viscous scheme implicit strain rates by elements, to 0.001 in at most 1000 iterations");
   EXPECT_THAT(line_of(text, "Bq_s"), StartsWith("Bq_s 10 "));
   EXPECT_EQ(line_of(text, "k_s'"), "k_s' none a dashpot without a spring");
   EXPECT_EQ(line_of(text, "Bq_d"), "Bq_d 0");
@@ -207,10 +207,10 @@ TEST(CaseImplicit, TheEchoSaysHowItIsSolvedAndThatThereIsNoSpring) {
 
 TEST(CaseImplicit, TheEchoOfASpringHasNoLimitsOfAnExplicitScheme) {
   const auto text =
-      echo_of(parse(least_case, {viscous("spring_stiffness = 1e6, strain_rates = \"elements\""),
+      echo_of(parse(least_case, {viscous("spring_stiffness = 1e6, strain_rates = \"nodes\""),
                                  "coupler.implicit_tolerance=1e-8", "coupler.implicit_iterations=50"}));
   EXPECT_EQ(line_of(text, "viscous scheme"),
-            "viscous scheme implicit strain rates by elements, to 1e-08 in at most 50 iterations");
+            "viscous scheme implicit strain rates by nodes, to 1e-08 in at most 50 iterations");
   EXPECT_THAT(line_of(text, "kappa_s"), StartsWith("kappa_s 1e+06 "));
   EXPECT_NE(line_of(text, "tau_s"), "");
   for (const char* name : {"interval N", "N k_s'", "largest kappa_s", "largest N"})
@@ -219,7 +219,7 @@ TEST(CaseImplicit, TheEchoOfASpringHasNoLimitsOfAnExplicitScheme) {
 }
 
 TEST(CaseImplicit, AKeyThatHasNoEffectIsWarnedOf) {
-  const auto text = echo_of(parse(least_case, {"membrane.viscous={strain_rates = \"elements\"}"}));
+  const auto text = echo_of(parse(least_case, {"membrane.viscous={strain_rates = \"nodes\"}"}));
   EXPECT_THAT(text, HasSubstr("viscous.scheme = \"none\" leaves it out"));
   EXPECT_THAT(echo_of(parse(least_case, {"membrane.viscous.scheme=implicit"})),
               HasSubstr("viscous.scheme = \"implicit\", but both Boussinesq numbers are 0"));
