@@ -64,12 +64,24 @@ double tangential_shortfall(const Kernel& kernel) {
 }
 
 TangentialCorrection::TangentialCorrection(const Coupler& coupler, double viscosity)
-    : kernel_(coupler.kernel()),
-      mobility_(tangential_shortfall(kernel_) / (viscosity * square_sum(kernel_))) {
-  if (!(viscosity > 0 && std::isfinite(viscosity))) {
-    throw std::invalid_argument("coupler: the viscosity of a tangential correction is " +
-                                std::to_string(viscosity) + ", must be positive");
+    : TangentialCorrection(coupler, std::vector{viscosity}) {}
+
+TangentialCorrection::TangentialCorrection(const Coupler& coupler, std::vector<double> viscosities)
+    : kernel_(coupler.kernel()) {
+  if (viscosities.empty())
+    throw std::invalid_argument("coupler: a tangential correction without a viscosity");
+  const double of_kernel = tangential_shortfall(kernel_), squares = square_sum(kernel_);
+  const bool one = std::ranges::all_of(viscosities, [&](double mu) { return mu == viscosities.front(); });
+  for (const double viscosity : viscosities) {
+    if (!(viscosity > 0 && std::isfinite(viscosity))) {
+      throw std::invalid_argument("coupler: the viscosity of a tangential correction is " +
+                                  std::to_string(viscosity) + ", must be positive");
+    }
+    const double mobility = of_kernel / (viscosity * squares);
+    mobilities_.push_back(one ? Mobility{1, mobility} : Mobility{std::sqrt(mobility), std::sqrt(mobility)});
   }
+  n_surfaces_ = mobilities_.size() > 1 ? mobilities_.size() : 0;
+  if (one) mobilities_.resize(1);
 }
 
 void TangentialCorrection::add(const Coupler& coupler, std::span<const std::span<const double>> normals,
@@ -93,6 +105,7 @@ void TangentialCorrection::add(const Coupler& coupler, std::span<const std::span
   }
   const auto& transfer = *coupler.implementation_;
   transfer.check_surfaces("correction, force", force);
+  if (n_surfaces_ > 0) check_size("correction, viscosities", n_surfaces_, force.size());
   const bool finite = transfer.for_all_nodes([&](std::size_t surface, std::size_t node) {
     return is_finite(&normals[surface][3 * node]) && is_finite(&force[surface][3 * node]);
   });
@@ -107,12 +120,13 @@ void TangentialCorrection::add(const Coupler& coupler, std::span<const std::span
   transfer.spread(
       [&](std::size_t surface, std::size_t node, double* result) {
         const Vector along = tangential(&normals[surface][3 * node], &force[surface][3 * node]);
-        std::copy_n(along.data(), 3, result);
+        for (int axis = 0; axis < 3; ++axis) result[axis] = mobility(surface).of_forces * along[axis];
       },
       on_grid);
   transfer.interpolate(on_grid, [&](std::size_t surface, std::size_t node, const double* smoothed) {
     const Vector along = tangential(&normals[surface][3 * node], smoothed);
-    for (int axis = 0; axis < 3; ++axis) velocity[surface][3 * node + axis] += mobility_ * along[axis];
+    for (int axis = 0; axis < 3; ++axis)
+      velocity[surface][3 * node + axis] += mobility(surface).of_velocities * along[axis];
   });
 }
 

@@ -19,6 +19,33 @@ std::span<const double> checked(const StateArray& array, int components, std::in
   return array.values;
 }
 
+void check_in_box(const std::string& what, std::span<const std::int64_t> nodes, std::int64_t n_nodes,
+                  int threads) {
+  const auto n_listed = static_cast<std::int64_t>(nodes.size());
+  std::int64_t first_bad = n_listed;
+#pragma omp parallel for num_threads(threads) schedule(static) reduction(min : first_bad)
+  for (std::int64_t k = 0; k < n_listed; ++k) {
+    if (nodes[k] < 0 || nodes[k] >= n_nodes) first_bad = std::min(first_bad, k);
+  }
+  if (first_bad == n_listed) return;
+  refuse(what + " got node " + std::to_string(nodes[first_bad]) + ", the box has nodes 0 to " +
+         std::to_string(n_nodes - 1));
+}
+
+void check_count(std::span<const double> kinematic_viscosity, std::int64_t n_nodes) {
+  if (static_cast<std::int64_t>(kinematic_viscosity.size()) == n_nodes) return;
+  refuse("set_viscosity() got " + std::to_string(kinematic_viscosity.size()) + " values for " +
+         std::to_string(n_nodes) + " nodes");
+}
+
+void check_viscosity_of(std::int64_t node, double kinematic_viscosity) {
+  if (std::isfinite(kinematic_viscosity) && kinematic_viscosity > 0.0) return;
+  std::ostringstream message;
+  message << "kinematic viscosity of node " << node << " is " << kinematic_viscosity
+          << ", must be > 0 and finite";
+  refuse(message.str());
+}
+
 }  // namespace
 
 void refuse(const std::string& what) {
@@ -38,29 +65,19 @@ void check_nodes(const std::string& what, std::span<const std::int64_t> nodes, s
     refuse(what + " got " + std::to_string(n_numbers) + " numbers for " + std::to_string(nodes.size()) +
            " nodes, 3 a node are needed");
   }
-  const auto n_listed = static_cast<std::int64_t>(nodes.size());
-  std::int64_t first_bad = n_listed;
-#pragma omp parallel for num_threads(threads) schedule(static) reduction(min : first_bad)
-  for (std::int64_t k = 0; k < n_listed; ++k) {
-    if (nodes[k] < 0 || nodes[k] >= n_nodes) first_bad = std::min(first_bad, k);
-  }
-  if (first_bad == n_listed) return;
-  refuse(what + " got node " + std::to_string(nodes[first_bad]) + ", the box has nodes 0 to " +
-         std::to_string(n_nodes - 1));
+  check_in_box(what, nodes, n_nodes, threads);
 }
 
 void check_viscosity(std::span<const double> kinematic_viscosity, std::int64_t n_nodes) {
-  if (static_cast<std::int64_t>(kinematic_viscosity.size()) != n_nodes) {
-    refuse("set_viscosity got " + std::to_string(kinematic_viscosity.size()) + " values for " +
-           std::to_string(n_nodes) + " nodes");
-  }
-  for (std::int64_t node = 0; node < n_nodes; ++node) {
-    if (std::isfinite(kinematic_viscosity[node]) && kinematic_viscosity[node] > 0.0) continue;
-    std::ostringstream message;
-    message << "kinematic viscosity of node " << node << " is " << kinematic_viscosity[node]
-            << ", must be > 0 and finite";
-    refuse(message.str());
-  }
+  check_count(kinematic_viscosity, n_nodes);
+  for (std::int64_t node = 0; node < n_nodes; ++node) check_viscosity_of(node, kinematic_viscosity[node]);
+}
+
+void check_viscosity_of_nodes(std::span<const std::int64_t> nodes,
+                              std::span<const double> kinematic_viscosity, std::int64_t n_nodes) {
+  check_count(kinematic_viscosity, static_cast<std::int64_t>(nodes.size()));
+  check_in_box("set_viscosity()", nodes, n_nodes, 1);  // in most steps a handful: not worth waking threads
+  for (std::size_t k = 0; k < nodes.size(); ++k) check_viscosity_of(nodes[k], kinematic_viscosity[k]);
 }
 
 StateArrays check_state(const State& state, std::int64_t n_nodes) {

@@ -23,6 +23,10 @@ void check_nodes(const std::string& what, std::span<const std::int64_t> nodes, s
 /// One viscosity a node, each positive and finite.
 void check_viscosity(std::span<const double> kinematic_viscosity, std::int64_t n_nodes);
 
+/// One viscosity for each of the nodes, positive and finite, and every node in the box.
+void check_viscosity_of_nodes(std::span<const std::int64_t> nodes,
+                              std::span<const double> kinematic_viscosity, std::int64_t n_nodes);
+
 /// The arrays of a state.
 struct StateArrays {
   std::span<const double> populations, force;

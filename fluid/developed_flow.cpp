@@ -13,7 +13,7 @@ DevelopedFlow developed_flow(const LatticeBoltzmannSettings& settings, int x, in
   const std::array<int, 3> nodes = {settings.shape.nx, settings.shape.ny, settings.shape.nz};
   const double height = nodes[walls.axis];
   const double s = node[walls.axis] + 0.5;
-  const double viscosity = (settings.relaxation_time - 0.5) / d3q19::inverse_sound_speed_squared;
+  const double viscosity = viscosity_of(settings);
   for (int component = 0; component < 3; ++component) {
     if (component == walls.axis) continue;
     const double low = walls.low_velocity[component], high = walls.high_velocity[component];

@@ -92,6 +92,18 @@ class Fluid {
   /// not positive and finite
   virtual void set_viscosity(std::span<const double> kinematic_viscosity) = 0;
 
+  /// Sets the kinematic viscosity of the nodes listed, from the next step() on; the others keep theirs
+  /// (before the first call that of the solver's settings). Its work goes with the nodes listed, not with the
+  /// box, so it can be called in every step with those that have changed. How nodes are divided among calls
+  /// makes no difference to any result, nor does their order; of a node that is listed twice the last one
+  /// counts.
+  /// @param nodes linear node indices (GridShape::index)
+  /// @param kinematic_viscosity one number a node listed, each positive and finite
+  /// @throws std::invalid_argument if the sizes do not match, a node lies outside the box or, naming the
+  /// node, a viscosity is not positive and finite; nothing is changed then
+  virtual void set_viscosity(std::span<const std::int64_t> nodes,
+                             std::span<const double> kinematic_viscosity) = 0;
+
   /// Goes on by one time step with the present force. @return the highest speed met.
   /// @throws Breakdown if a velocity is not finite or a speed is at or over the solver's limit; the state is
   /// then of no use

@@ -99,7 +99,13 @@ class LatticeBoltzmann final : public Fluid {
 
   void set_viscosity(std::span<const double> kinematic_viscosity) override {
     check_viscosity(kinematic_viscosity, shape().size());
-    rates_.set_viscosity(kinematic_viscosity);
+    rates_.set_all(kinematic_viscosity);
+  }
+
+  void set_viscosity(std::span<const std::int64_t> nodes,
+                     std::span<const double> kinematic_viscosity) override {
+    check_viscosity_of_nodes(nodes, kinematic_viscosity, shape().size());
+    rates_.set(nodes, kinematic_viscosity);
   }
 
   double step() override {
@@ -116,7 +122,7 @@ class LatticeBoltzmann final : public Fluid {
     state.arrays.push_back({"populations", n_directions, std::vector<double>(n_directions * shape().size())});
     const auto force = force_.added();
     state.arrays.push_back({"force", 3, {force.begin(), force.end()}});
-    if (!rates_.viscosity().empty()) state.arrays.push_back({"viscosity", 1, rates_.viscosity()});
+    if (rates_.is_set()) state.arrays.push_back({"viscosity", 1, rates_.viscosity()});
     auto& values = state.arrays[0].values;
     for_each_row([&](int y, int z) {
       for (int x = 0; x < shape().nx; ++x)
@@ -127,10 +133,10 @@ class LatticeBoltzmann final : public Fluid {
 
   void restore(const State& state) override {
     const auto arrays = check_state(state, shape().size());
+    rates_.set_all(arrays.viscosity);  // first: it may find no memory
     step_ = state.step;
     force_.restore(arrays.force);
     kept_velocity_.forget();
-    rates_.set_viscosity(arrays.viscosity);
     for_each_row([&](int y, int z) {
       for (int x = 0; x < shape().nx; ++x)
         put_outgoing(x, y, z, &arrays.populations[n_directions * shape().index(x, y, z)]);

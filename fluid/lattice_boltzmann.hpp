@@ -66,7 +66,8 @@ inline constexpr int bytes_of_number(Storage storage) {
 }
 
 /// Bytes of memory a node takes: its 19 populations. Left out: padding; force and velocity on nodes around
-/// which forces have acted (below); 8 and two numbers of the lattice where each node has its viscosity.
+/// which forces have acted (below); 8 a node whose viscosity is not that of the settings, and two numbers of
+/// the lattice where it differs within eight or sixteen nodes.
 inline constexpr int lattice_boltzmann_memory_per_node(Storage storage) {
   return 19 * bytes_of_number(storage);
 }

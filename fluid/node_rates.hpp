@@ -1,59 +1,88 @@
-// The relaxation rates of every node, uniform or from a viscosity of its own. Internal to fluid/.
+// The relaxation rates of every node: those of the settings, or from a viscosity of its own. Internal to
+// fluid/.
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <cstdlib>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "fluid/collision.hpp"
-#include "fluid/settings.hpp"
+#include "fluid/lattice_boltzmann.hpp"
 
 namespace tanktread::fluid {
 
+/// A viscosity contrast has few viscosities, and most packs lie wholly in one of them. So each pack has a
+/// class, one byte: the number of a pair of rates in a small table that stays in the cache, or `mixed`, and
+/// only then does a step load rates from an array as large as the lattice. The rates of a node are the same
+/// numbers either way. Which viscosities are in the table depends on the order in which they came; no result
+/// does.
+///
+/// Packs are numbered as those of KeptVelocity: row by row (z ny + y), each row from x = 0.
 template <typename Real>
 class NodeRates {
  public:
-  explicit NodeRates(const LatticeBoltzmannSettings& settings)
-      : settings_(settings),
-        even_rate_(static_cast<Real>(1.0 / settings.relaxation_time)),
-        odd_rate_(static_cast<Real>(1.0 / odd_relaxation_time(settings, settings.relaxation_time))) {}
+  explicit NodeRates(const LatticeBoltzmannSettings& settings);
 
-  /// Kinematic viscosity of every node; none: that of the settings everywhere.
-  void set_viscosity(std::span<const double> viscosity) {
-    viscosity_.assign(viscosity.begin(), viscosity.end());
-    even_.resize(viscosity.size());
-    odd_.resize(viscosity.size());
-    for (std::size_t node = 0; node < viscosity.size(); ++node) {
-      const double relaxation_time = 0.5 + d3q19::inverse_sound_speed_squared * viscosity[node];
-      even_[node] = static_cast<Real>(1.0 / relaxation_time);
-      odd_[node] = static_cast<Real>(1.0 / odd_relaxation_time(settings_, relaxation_time));
-    }
-  }
-  const std::vector<double>& viscosity() const { return viscosity_; }
+  /// Viscosities of the nodes listed, one after the other: of a node that is listed twice the last one
+  /// counts.
+  /// @throws std::bad_alloc at the first call; all is then as before
+  void set(std::span<const std::int64_t> nodes, std::span<const double> viscosity);
 
-  bool uniform() const { return even_.empty(); }
+  /// The viscosity of every node; none: that of the settings, as if never set.
+  /// @throws std::bad_alloc as the other
+  void set_all(std::span<const double> viscosity);
 
-  /// Of every node, if they are uniform.
-  Rates<Real> of_all() const { return {pack_of(even_rate_), pack_of(odd_rate_)}; }
+  /// Whether viscosities were set, be it to that of the settings.
+  bool is_set() const { return !class_of_.empty(); }
 
-  /// Of nodes that follow each other, if they are not uniform; lanes beyond the last repeat it: any that is
-  /// finite would do.
-  Rates<Real> pack(std::int64_t node, int n_lanes) const {
-    if (n_lanes == pack_size<Real>) return {load(&even_[node]), load(&odd_[node])};
-    Rates<Real> rates;
-    for (int lane = 0; lane < pack_size<Real>; ++lane) {
-      rates.even[lane] = even_[node + std::min(lane, n_lanes - 1)];
-      rates.odd[lane] = odd_[node + std::min(lane, n_lanes - 1)];
-    }
-    return rates;
+  /// Of every node.
+  std::vector<double> viscosity() const;
+
+  /// Packs whose rates a step loads from the array.
+  std::int64_t n_mixed() const;
+
+  /// Of the pack that begins with node x of a row; lanes beyond the row have those of its last node (any that
+  /// are finite would do).
+  __attribute__((always_inline)) Rates<Real> pack(std::int64_t row, int x) const {
+    if (!is_set()) return known_[0];
+    const std::int64_t pack = row * packs_a_row_ + x / pack_size<Real>;
+    const Class its_class = class_of_[pack];
+    return its_class == mixed ? of_mixed_[pack] : known_[its_class];
   }
 
  private:
+  using Class = std::uint8_t;
+  static constexpr Class mixed = 255;
+  static constexpr int n_known = 16;
+  struct Release {
+    void operator()(double* memory) const { std::free(memory); }
+  };
+
+  void prepare();
+  void classify(std::int64_t pack);
+  Class class_for(double viscosity);
+  void fill_mixed(std::int64_t pack, std::span<const double> viscosity);
+  Rates<Real> rates_of(double viscosity) const;
+
+  /// As kept: zero for the viscosity of the settings.
+  double kept(double viscosity) const { return viscosity == base_viscosity_ ? 0.0 : viscosity; }
+
   LatticeBoltzmannSettings settings_;
-  Real even_rate_, odd_rate_;
-  std::vector<double> viscosity_;  ///< empty unless set
-  std::vector<Real> even_, odd_;   ///< empty unless set
+  double base_viscosity_;  ///< that of the settings
+  std::int64_t packs_a_row_, n_packs_;
+
+  /// Number 0 is the viscosity of the settings, for good; the others come and go.
+  std::array<Rates<Real>, n_known> known_;
+  std::array<double, n_known> known_viscosity_{};       ///< as kept
+  std::array<std::int64_t, n_known> packs_of_known_{};  ///< how many are of the class; 0: free (but number 0)
+
+  // Empty unless set. Of the two large arrays the system gives memory only where it is written to.
+  std::vector<Class> class_of_;
+  std::unique_ptr<double[], Release> viscosity_;  ///< of each node, as kept
+  std::unique_ptr<Rates<Real>[]> of_mixed_;       ///< of each pack; without meaning unless it is mixed
 };
 
 }  // namespace tanktread::fluid

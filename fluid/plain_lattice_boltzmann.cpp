@@ -28,7 +28,7 @@ class PlainLatticeBoltzmann final : public Fluid {
       : settings_(settings),
         outgoing_(settings.shape.size()),
         force_(3 * settings.shape.size(), 0.0),
-        viscosity_(settings.shape.size(), settings_viscosity()) {
+        viscosity_(settings.shape.size(), viscosity_of(settings)) {
     for_each_node([&](int x, int y, int z) {
       outgoing_[shape().index(x, y, z)] = start_populations(settings_, x, y, z);
     });
@@ -86,6 +86,12 @@ class PlainLatticeBoltzmann final : public Fluid {
     viscosity_.assign(kinematic_viscosity.begin(), kinematic_viscosity.end());
   }
 
+  void set_viscosity(std::span<const std::int64_t> nodes,
+                     std::span<const double> kinematic_viscosity) override {
+    check_viscosity_of_nodes(nodes, kinematic_viscosity, shape().size());
+    for (std::size_t k = 0; k < nodes.size(); ++k) viscosity_[nodes[k]] = kinematic_viscosity[k];
+  }
+
   double step() override {
     double highest = 0.0;
     std::vector<Populations> next(outgoing_.size());
@@ -122,7 +128,7 @@ class PlainLatticeBoltzmann final : public Fluid {
     const std::int64_t n = shape().size();
     const auto arrays = check_state(state, n);
     force_.assign(arrays.force.begin(), arrays.force.end());
-    viscosity_.assign(n, settings_viscosity());
+    viscosity_.assign(n, viscosity_of(settings_));
     if (!arrays.viscosity.empty()) viscosity_.assign(arrays.viscosity.begin(), arrays.viscosity.end());
     for (std::int64_t node = 0; node < n; ++node)
       std::copy_n(&arrays.populations[n_directions * node], n_directions, outgoing_[node].begin());
@@ -136,8 +142,6 @@ class PlainLatticeBoltzmann final : public Fluid {
       for (int y = 0; y < shape().ny; ++y)
         for (int x = 0; x < shape().nx; ++x) body(x, y, z);
   }
-
-  double settings_viscosity() const { return (settings_.relaxation_time - 0.5) / 3.0; }
 
   Vector total_force(std::int64_t node) const {
     Vector force = settings_.body_force;

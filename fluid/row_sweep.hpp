@@ -30,11 +30,7 @@ template <typename Real, bool inertia>
 class RowSweep {
  public:
   RowSweep(const SweepParts<Real>& parts, Turn turn)
-      : parts_(parts),
-        turn_(turn),
-        nx_(parts.lattice.shape().nx),
-        uniform_rates_(parts.rates.of_all()),
-        finder_(parts.lattice, turn) {}
+      : parts_(parts), turn_(turn), nx_(parts.lattice.shape().nx), finder_(parts.lattice, turn) {}
 
   void advance(int y, int z, SpeedWatch<Real>& watch) const {
     const std::int64_t row = std::int64_t{z} * parts_.lattice.shape().ny + y;
@@ -99,7 +95,7 @@ class RowSweep {
     OutgoingMoments<Real, Pack<Real>> outgoing;  // collide() puts in the order that it needs
     at.load_to(incoming);
     collide<inertia, true, Real>(
-        incoming, rates(row, x, at.n_lanes), force, parts_.limit_squared,
+        incoming, parts_.rates.pack(row, x), force, parts_.limit_squared,
         watch, [&](int i, Pack<Real> pack) __attribute__((always_inline)) {
           at.put(i, pack);
           outgoing.take(d3q19::opposite(i), pack);
@@ -114,12 +110,8 @@ class RowSweep {
     PackPopulations<Real> incoming;
     at.load_to(incoming);
     collide<inertia, false, Real>(
-        incoming, rates(row, x, at.n_lanes), PackForce<Real>{}, parts_.limit_squared,
+        incoming, parts_.rates.pack(row, x), PackForce<Real>{}, parts_.limit_squared,
         watch, [&](int i, Pack<Real> pack) __attribute__((always_inline)) { at.put(i, pack); });
-  }
-
-  __attribute__((always_inline)) Rates<Real> rates(std::int64_t row, int x, int n_lanes) const {
-    return parts_.rates.uniform() ? uniform_rates_ : parts_.rates.pack(row * nx_ + x, n_lanes);
   }
 
   /// What moving walls give to the populations they send back, added where the step will find these.
@@ -143,7 +135,6 @@ class RowSweep {
   SweepParts<Real> parts_;
   Turn turn_;
   int nx_;
-  Rates<Real> uniform_rates_;
   SlotFinder<Real> finder_;
 };
 

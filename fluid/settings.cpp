@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "fluid/border_checks.hpp"
+#include "fluid/d3q19.hpp"
 
 namespace tanktread::fluid {
 namespace {
@@ -48,6 +49,10 @@ void check(const LatticeBoltzmannSettings& settings) {
   } else if (settings.start == Start::developed) {
     refuse("start = developed needs walls: a periodic box has no developed profile");
   }
+}
+
+double viscosity_of(const LatticeBoltzmannSettings& settings) {
+  return (settings.relaxation_time - 0.5) / d3q19::inverse_sound_speed_squared;
 }
 
 double odd_relaxation_time(const LatticeBoltzmannSettings& settings, double relaxation_time) {

@@ -9,6 +9,9 @@ namespace tanktread::fluid {
 /// Throws std::invalid_argument naming the setting, its value, the allowed range.
 void check(const LatticeBoltzmannSettings& settings);
 
+/// nu = (tau+ - 1/2)/3.
+double viscosity_of(const LatticeBoltzmannSettings& settings);
+
 /// tau- from tau+: Lambda/(tau+ - 1/2) + 1/2, or tau+ itself for the single-rate model.
 double odd_relaxation_time(const LatticeBoltzmannSettings& settings, double relaxation_time);
 

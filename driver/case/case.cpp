@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -85,6 +86,11 @@ Case parse_case(const std::string& text, const std::string& name, const std::fil
   reader.finish();
   apply_si(the_case);
   return the_case;
+}
+
+bool has_contrast(const Case& the_case) {
+  return std::ranges::any_of(the_case.capsules,
+                             [](const CapsuleCase& capsule) { return capsule.viscosity_ratio != 1; });
 }
 
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& assignments,

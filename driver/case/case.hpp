@@ -126,6 +126,8 @@ struct SiCase {
   double radius_m = 0;  ///< of the first capsule; the others follow by the ratio of their radii
   double shear_rate_per_s = 0;
   double viscosity_Pa_s = 0;
+  std::optional<double> inner_viscosity_Pa_s =
+      std::nullopt;  ///< of the fluid in all capsules; none: by viscosity_ratio
   double density_kg_per_m3 = 1000;
   std::optional<double> shear_modulus_N_per_m, interfacial_tension_N_per_m;  ///< exactly one
   std::optional<double> membrane_shear_viscosity_N_s_per_m = std::nullopt;
@@ -146,6 +148,9 @@ struct Case {
 
   bool operator==(const Case&) const = default;
 };
+
+/// Whether the fluid in a capsule has another viscosity than outside.
+bool has_contrast(const Case& the_case);
 
 /// What of the files and programs that a case names is going to be used. Only that must be there.
 struct FilesUsed {

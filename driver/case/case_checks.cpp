@@ -122,13 +122,6 @@ void check_viscous(CaseReader& reader, const Case& the_case, std::size_t capsule
 }
 
 void check_capsule(CaseReader& reader, const Case& the_case, std::size_t number) {
-  const auto& capsule = the_case.capsules[number];
-  const auto own = fmt::format("capsule.{}.", number);
-  if (capsule.viscosity_ratio != 1.0) {
-    const auto ratio = own + "viscosity_ratio";
-    reader.problem(reader.has(ratio) ? ratio : "flow.viscosity_ratio",
-                   "only 1 can be run so far: which nodes are inside a capsule is not tracked yet");
-  }
   check_modulus(reader, the_case, number);
   check_viscous(reader, the_case, number);
 }

@@ -57,6 +57,14 @@ void check_viscosity(CaseReader& reader, const Case& the_case) {
                                "of them",
                                k, ratio));
   }
+  // Ratios follow from these only after the checks.
+  if (!the_case.si || !the_case.si->inner_viscosity_Pa_s) return;
+  const double inner = *the_case.si->inner_viscosity_Pa_s, outer = the_case.si->viscosity_Pa_s;
+  if (inner == outer) return;
+  reader.problem("flow.command",
+                 fmt::format("a program in the place of the fluid has the same viscosity everywhere, but "
+                             "si.inner_viscosity_Pa_s = {} and si.viscosity_Pa_s = {}; remove one of them",
+                             inner, outer));
 }
 
 }  // namespace

@@ -61,6 +61,11 @@ std::string refuse_beside_si(const Case& the_case, std::size_t) {
   return "contradicts [si], from which it follows; remove one of them";
 }
 
+std::string refuse_beside_inner_viscosity(const Case& the_case, std::size_t) {
+  if (!the_case.si || !the_case.si->inner_viscosity_Pa_s) return "";
+  return "contradicts si.inner_viscosity_Pa_s, from which it follows; remove one of them";
+}
+
 /// A parameter of some elastic laws only; a program that knows no laws leaves it.
 std::string refuse_unless_law_takes(const std::string& parameter, const Case& the_case, std::size_t capsule) {
   const auto& law = the_case.capsules[capsule].membrane.elastic_law;
@@ -208,7 +213,8 @@ std::vector<Key> title_and_flow_keys() {
           .above(0)
           .unless(refuse_magic_parameter),
       key<InFlow<&F::viscosity_ratio>>("flow.viscosity_ratio", "", "lambda = mu_i/mu_o of all capsules")
-          .above(0),
+          .above(0)
+          .unless(refuse_beside_inner_viscosity),
       key<InFlow<&F::start>>("flow.start", "", "fluid at rest, or the steady profile without capsules")
           .one_of({"rest", "developed"}),
       key<InFlow<&F::body_force>>("flow.body_force", "lattice", "force on each node, added"),
@@ -256,7 +262,8 @@ std::vector<Key> capsule_keys() {
           .unless(refuse_hash),
       key<InCapsule<&C::viscosity_ratio>>("capsule.N.viscosity_ratio", "", "lambda of this capsule")
           .above(0)
-          .preset("flow.viscosity_ratio"),
+          .preset("flow.viscosity_ratio")
+          .unless(refuse_beside_inner_viscosity),
   };
 }
 

@@ -11,6 +11,9 @@ std::vector<Key> si_keys() {
       key<InSi<&S::viscosity_Pa_s>>("si.viscosity_Pa_s", "Pa s", "mu_o of the fluid outside")
           .above(0)
           .required(),
+      key<InSi<&S::inner_viscosity_Pa_s>>("si.inner_viscosity_Pa_s", "Pa s",
+                                          "mu_i of the fluid in all capsules, in place of viscosity_ratio")
+          .above(0),
       key<InSi<&S::density_kg_per_m3>>("si.density_kg_per_m3", "kg/m^3", "of the fluid")
           .above(0)
           .preset(toml_text(SiCase().density_kg_per_m3)),

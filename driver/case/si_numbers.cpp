@@ -11,6 +11,7 @@ void apply_si(Case& the_case) {
   const auto& si = *the_case.si;
   const double metres_a_step = si.radius_m / the_case.capsules.front().radius;
   for (auto& capsule : the_case.capsules) {
+    if (si.inner_viscosity_Pa_s) capsule.viscosity_ratio = *si.inner_viscosity_Pa_s / si.viscosity_Pa_s;
     auto& membrane = capsule.membrane;
     const double radius_m = capsule.radius * metres_a_step;
     const double modulus =

@@ -101,6 +101,10 @@ void OutsideFluid::set_viscosity(std::span<const double>) {
   throw std::invalid_argument("flow.command: a program in the place of the fluid has one viscosity");
 }
 
+void OutsideFluid::set_viscosity(std::span<const std::int64_t>, std::span<const double> kinematic_viscosity) {
+  set_viscosity(kinematic_viscosity);
+}
+
 double OutsideFluid::step() {
   arrays_ = program_.in_step(step_ + 1, [&] { return taken(program_.ask(input())); });
   ++step_;

@@ -31,6 +31,8 @@ class OutsideFluid final : public fluid::Fluid {
   std::span<const double> force() const override { return force_; }
   /// @throws std::invalid_argument always: a program is not asked whether it heeds a viscosity of each node
   void set_viscosity(std::span<const double> kinematic_viscosity) override;
+  void set_viscosity(std::span<const std::int64_t> nodes,
+                     std::span<const double> kinematic_viscosity) override;
   /// @throws fluid::Breakdown; RunError that names step, program, packet and array
   double step() override;
   fluid::State state() const override;

@@ -23,7 +23,7 @@ std::vector<double> cut(std::span<const double> all, int components, const fluid
 }  // namespace
 
 exchange::GridPacket flow_file(const fluid::Fluid& fluid, const std::optional<Ranges3>& part,
-                               std::int64_t step, double shear_time) {
+                               std::int64_t step, double shear_time, std::span<const std::int32_t> inside) {
   const auto shape = fluid.shape();
   std::vector<double> density(static_cast<std::size_t>(shape.size())), velocity(3 * density.size());
   fluid.moments(density, velocity);
@@ -37,6 +37,10 @@ exchange::GridPacket flow_file(const fluid::Fluid& fluid, const std::optional<Ra
   file.point_data = {{"density", 1, cut(density, 1, shape, range)},
                      {"velocity", 3, cut(velocity, 3, shape, range)},
                      {"force", 3, cut(fluid.force(), 3, shape, range)}};
+  if (!inside.empty()) {
+    const std::vector<double> marks(inside.begin(), inside.end());
+    file.point_data.push_back({"inside", 1, cut(marks, 1, shape, range)});
+  }
   file.field_data = packet_header(step);
   file.field_data.push_back({"shear_time", 1, {shear_time}});
   return file;

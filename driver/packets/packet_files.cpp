@@ -210,6 +210,42 @@ GridVectors grid_vectors_of(const exchange::GridPacket& file, const std::string&
           std::move(mobility)};
 }
 
+exchange::GridPacket marks_file(const GridMarks& news, std::span<const std::int32_t> all, const Box& box,
+                                std::int64_t step) {
+  Array inside{"inside", 1, {all.begin(), all.end()}},
+      touched{touched_array, 1, std::vector<double>(all.size())};
+  for (const auto node : *news.nodes) touched.values[static_cast<std::size_t>(node)] = 1;
+  exchange::GridPacket file;
+  file.nodes = box;
+  file.point_data = {std::move(inside), std::move(touched)};
+  file.field_data = packet_header(step);
+  return file;
+}
+
+GridMarks grid_marks_of(const exchange::GridPacket& file, std::size_t n_capsules, const Box& box,
+                        const std::string& name) {
+  check_schema_version(file.field_data, name);
+  check_grid(file, box, name);
+  const auto* inside = optional_scalars(file.point_data, "inside", name);
+  if (inside == nullptr) throw FileError(name + ": array 'inside' is missing");
+  const auto* touched = optional_scalars(file.point_data, touched_array, name);
+  std::vector<std::int64_t> nodes;
+  GridMarks marks;
+  for (std::size_t node = 0; node < inside->values.size(); ++node) {
+    if (touched != nullptr && touched->values[node] == 0) continue;
+    const double mark = inside->values[node];
+    if (!(mark >= 0 && mark <= static_cast<double>(n_capsules) && mark == std::floor(mark))) {
+      throw FileError(fmt::format(
+          "{}: 'inside' of node {} is {}; it is 0 outside, else the number of a capsule from 1 to {}", name,
+          node, mark, n_capsules));
+    }
+    nodes.push_back(static_cast<std::int64_t>(node));
+    marks.capsule.push_back(static_cast<std::int32_t>(mark));
+  }
+  marks.nodes = std::make_shared<const std::vector<std::int64_t>>(std::move(nodes));
+  return marks;
+}
+
 std::vector<Array> packet_header(std::int64_t step) {
   return {{"step", 1, {static_cast<double>(step)}}, {"schema_version", 1, {schema_version}}};
 }

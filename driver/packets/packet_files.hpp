@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "driver/packets/packets.hpp"
@@ -62,6 +63,17 @@ void check_grid(const exchange::GridPacket& file, const Box& box, const std::str
 /// array is missing or has not three components; for a later schema version
 GridVectors grid_vectors_of(const exchange::GridPacket& file, const std::string& array, const Box& box,
                             const std::string& name);
+
+/// Marks of all nodes as an array "inside", and point data `touched`, which says 1 where they are news.
+/// @param all one a node of the box
+exchange::GridPacket marks_file(const GridMarks& news, std::span<const std::int32_t> all, const Box& box,
+                                std::int64_t step);
+
+/// The marks on the nodes where `touched` is not zero, on all nodes without that array.
+/// @param n_capsules marks go up to that
+/// @throws exchange::FileError as grid_vectors_of(), and for a mark that is no capsule's
+GridMarks grid_marks_of(const exchange::GridPacket& file, std::size_t n_capsules, const Box& box,
+                        const std::string& name);
 
 /// Field data step and schema_version, which every packet begins with.
 std::vector<exchange::Array> packet_header(std::int64_t step);

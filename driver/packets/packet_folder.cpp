@@ -29,6 +29,13 @@ GridVectors read_grid_packet(const std::filesystem::path& file, Packet packet, c
   return grid_vectors_of(content, array_of(packet), box, file.string());
 }
 
+GridMarks read_marks_packet(const std::filesystem::path& file, std::size_t n_capsules, const Box& box,
+                            std::int64_t step) {
+  const auto content = exchange::read_grid(file);
+  check_step(content.field_data, step, file);
+  return grid_marks_of(content, n_capsules, box, file.string());
+}
+
 NodeVectors read_node_packet(const std::filesystem::path& file, Packet packet, const NodeVectors& like,
                              std::int64_t step) {
   const auto content = exchange::read_surface(file);

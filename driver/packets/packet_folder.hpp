@@ -15,6 +15,10 @@ std::filesystem::path packet_path(const std::filesystem::path& directory, Packet
 GridVectors read_grid_packet(const std::filesystem::path& file, Packet packet, const Box& box,
                              std::int64_t step);
 
+/// Reads the marks of nodes inside capsules. @throws as above
+GridMarks read_marks_packet(const std::filesystem::path& file, std::size_t n_capsules, const Box& box,
+                            std::int64_t step);
+
 /// Reads a packet that lives on capsules. @param like capsules with as many nodes
 /// @throws exchange::FileError, also if it is of another step
 NodeVectors read_node_packet(const std::filesystem::path& file, Packet packet, const NodeVectors& like,

@@ -23,6 +23,8 @@ std::string name_of(Packet packet) {
       return "node_force";
     case Packet::grid_force:
       return "grid_force";
+    case Packet::inside:
+      return "inside";
   }
   return "";
 }
@@ -40,12 +42,19 @@ std::string array_of(Packet packet) {
       return "total_force";
     case Packet::grid_force:
       return "force";
+    case Packet::inside:
+      return "inside";
   }
   return "";
 }
 
 bool is_on_grid(Packet packet) {
-  return packet == Packet::grid_velocity || packet == Packet::free_velocity || packet == Packet::grid_force;
+  return packet == Packet::grid_velocity || packet == Packet::free_velocity || packet == Packet::grid_force ||
+         packet == Packet::inside;
+}
+
+bool is_of_contrast(Packet packet) {
+  return packet == Packet::inside;
 }
 
 bool is_of_implicit(Packet packet) {

@@ -27,6 +27,13 @@ bool are_on(const GridVectors& vectors, const NodeList& nodes);
 /// @throws std::invalid_argument if one is missing, naming `what` is
 GridVectors on_nodes(const GridVectors& vectors, const NodeList& nodes, const std::string& what);
 
+/// In which capsule some nodes of the grid lie.
+struct GridMarks {
+  NodeList nodes = std::make_shared<const std::vector<std::int64_t>>();
+  std::vector<std::int32_t>
+      capsule;  ///< one a node listed: 0 outside of all, else the number of the capsule + 1
+};
+
 /// A vector on each node of each capsule: a 3 x n matrix a capsule.
 using NodeVectors = std::vector<Eigen::Matrix3Xd>;
 
@@ -39,8 +46,8 @@ struct Surfaces {
   std::vector<Eigen::Matrix3Xi> triangles;  ///< corners, counted within the capsule
 };
 
-/// The packets of the step from t to t+1, in their order. Two of them pass only where a membrane has an
-/// implicit viscosity.
+/// The packets of the step from t to t+1, in their order. Some pass only where a membrane has an implicit
+/// viscosity, or the fluid in a capsule another one than outside.
 enum class Packet {
   grid_velocity,   ///< u(t) on the grid nodes that the stencils at x(t) touch: fluid to coupler
   node_velocity,   ///< u_m(t): coupler to membrane
@@ -50,19 +57,22 @@ enum class Packet {
                    ///< touch: fluid to the same
   node_force,      ///< F_m(t+1): membrane to coupler
   grid_force,      ///< F(t+1) on the nodes that the stencils at x(t+1) touch: coupler to fluid
+  inside,          ///< the nodes that have come into a capsule, or out of one, by x(t+1): coupler to fluid
 };
 
 /// All packets, in the order of the step.
 inline constexpr Packet all_packets[] = {Packet::grid_velocity,  Packet::node_velocity, Packet::positions,
                                          Packet::explicit_force, Packet::free_velocity, Packet::node_force,
-                                         Packet::grid_force};
+                                         Packet::grid_force,     Packet::inside};
 /// Whether a packet passes only where a membrane has an implicit viscosity.
 bool is_of_implicit(Packet packet);
+/// Whether a packet passes only where the fluid in a capsule has another viscosity.
+bool is_of_contrast(Packet packet);
 
 /// The name in files and folders, "grid_velocity" ...
 std::string name_of(Packet packet);
-/// The array that holds the packet in its file: "velocity", "force" (on the grid), "total_force" (on nodes);
-/// "" for the positions, which are the points.
+/// The array that holds the packet in its file: "velocity", "force" (on the grid), "total_force" (on nodes),
+/// "inside"; "" for the positions, which are the points.
 std::string array_of(Packet packet);
 /// Whether the packet lives on the grid (.vti) or on the capsules (.vtu).
 bool is_on_grid(Packet packet);

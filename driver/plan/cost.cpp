@@ -56,6 +56,8 @@ double memory_needed_bytes(const Case& the_case, const std::vector<membrane::Tri
   // An implicit viscosity has its operator twice (now, and the step before), and the vectors of its solution.
   constexpr double program = 20e6, node = 1500, node_history = 500, node_operator = 2300;
   double bytes = program + fluid_memory_bytes(the_case.flow);
+  // A mark, a viscosity, and that in a state.
+  if (has_contrast(the_case)) bytes += (4 + 8 + 8) * n_nodes(the_case.flow.box);
   for (std::size_t k = 0; k < meshes.size(); ++k) {
     const auto& scheme = the_case.capsules[k].membrane.viscous.scheme;
     const double history = scheme == "none" ? 0 : scheme == implicit_scheme ? node_operator : node_history;
@@ -77,9 +79,11 @@ Cost predict_cost(const Case& the_case, const Parameters& parameters,
   constexpr double checkpoint_node = node_record + 3 * 8, checkpoint_triangle = triangle_record + (3 + 9) * 8;
   constexpr double observables_row = 300;
 
-  const double fluid_bytes = fluid_record * sizes.fluid_file_nodes;
+  // The marks in a fluid file; the viscosities in a state.
+  const double contrast_record = has_contrast(the_case) ? 8 : 0;
+  const double fluid_bytes = (fluid_record + contrast_record) * sizes.fluid_file_nodes;
   const double membrane_bytes = node_record * sizes.membrane_nodes + triangle_record * sizes.triangles;
-  const double lattice_bytes = fluid::lattice_boltzmann_state_per_node * sizes.grid_nodes;
+  const double lattice_bytes = (fluid::lattice_boltzmann_state_per_node + contrast_record) * sizes.grid_nodes;
   const double checkpoint_bytes =
       lattice_bytes + checkpoint_node * sizes.membrane_nodes + checkpoint_triangle * sizes.triangles;
   const double n_rows = times(the_case.output.observables_every),

@@ -115,7 +115,12 @@ void put_capsule(EchoTable& table, const Subject& subject, std::size_t number_of
                 : "");
   put_moduli(table, subject, capsule);
   if (!has_program) put_viscosity(table, subject, capsule, the_capsule.membrane.viscous);
-  table.row("viscosity ratio lambda", number(capsule.viscosity_ratio), "", "mu_i/mu_o");
+  const double ratio = capsule.viscosity_ratio, inner = ratio * subject.parameters.kinematic_viscosity;
+  table.row("viscosity ratio lambda", number(ratio), "", "mu_i/mu_o");
+  table.row("viscosity mu_i", number(inner), in_si(subject, inner, pascal_second, "Pa s"), "lambda mu_o",
+            ratio != 1);
+  table.row("tau+ inside", number(inner_relaxation_time(subject.parameters, ratio)), "", "1/2 + 3 lambda nu",
+            ratio != 1);
 }
 
 }  // namespace tanktread::driver

@@ -17,6 +17,28 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
+/// @param where "" or " in capsule K"
+void warn_of_relaxation_time(Lines& lines, double relaxation_time, const std::string& where) {
+  if (relaxation_time < 0.55) {
+    lines.push_back(
+        fmt::format("tau+ = {:.4g}{} is below 0.55: little is left to the limit of stability at 0.5; "
+                    "raise flow.relaxation_time",
+                    relaxation_time, where));
+  }
+  if (relaxation_time > 2.0) {
+    lines.push_back(fmt::format(
+        "tau+ = {:.4g}{} is over 2: discretisation errors grow with it; lower flow.relaxation_time",
+        relaxation_time, where));
+  }
+}
+
+/// The fluid in a capsule has its own relaxation time.
+void warn_of_contrast(Lines& lines, std::size_t number, const Parameters& p) {
+  const double ratio = p.capsules[number].viscosity_ratio;
+  if (ratio == 1) return;
+  warn_of_relaxation_time(lines, inner_relaxation_time(p, ratio), fmt::format(" in capsule {}", number));
+}
+
 void warn_of_flow(Lines& lines, const Case& the_case, const Parameters& p) {
   const auto& flow = the_case.flow;
   const std::string speed_keys =
@@ -32,17 +54,7 @@ void warn_of_flow(Lines& lines, const Case& the_case, const Parameters& p) {
                     "lower {}, or raise flow.speed_limit",
                     p.wall_speed, p.speed_limit, speed_keys));
   }
-  if (p.relaxation_time < 0.55) {
-    lines.push_back(
-        fmt::format("tau+ = {:.4g} is below 0.55: little is left to the limit of stability at 0.5; "
-                    "raise flow.relaxation_time",
-                    p.relaxation_time));
-  }
-  if (p.relaxation_time > 2.0) {
-    lines.push_back(
-        fmt::format("tau+ = {:.4g} is over 2: discretisation errors grow with it; lower flow.relaxation_time",
-                    p.relaxation_time));
-  }
+  warn_of_relaxation_time(lines, p.relaxation_time, "");
   if (p.reynolds_number > 1.0 && flow.inertia) {
     lines.push_back(
         fmt::format("Reynolds number {:.3g} is over 1: inertia deforms a capsule too, results are "
@@ -216,6 +228,7 @@ std::vector<std::string> warnings(const Case& the_case, const Parameters& parame
     warn_of_membrane(lines, k, the_case, mean_edges);
     warn_of_capillary_number(lines, k, the_case);
     warn_of_viscosity(lines, k, the_case, parameters);
+    warn_of_contrast(lines, k, parameters);
     warn_of_walls(lines, k, the_case, placement);
     warn_of_images(lines, k, the_case, placement);
     warn_of_neighbours(lines, k, the_case, placement);

@@ -19,6 +19,7 @@ constexpr Usual usual[] = {
     {"si.radius_m", 1e-8, 1e-2},
     {"si.shear_rate_per_s", 1e-4, 1e7},
     {"si.viscosity_Pa_s", 1e-6, 1e3},
+    {"si.inner_viscosity_Pa_s", 1e-6, 1e3},
     {"si.density_kg_per_m3", 0.1, 3e4},
     {"si.shear_modulus_N_per_m", 1e-9, 1e2},
     {"si.interfacial_tension_N_per_m", 1e-9, 1e1},

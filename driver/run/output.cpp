@@ -131,7 +131,8 @@ void Output::write_membrane(const System& system) {
 
 void Output::write_fluid(const System& system) {
   exchange::write_grid(fluid_.file(system.step),
-                       flow_file(*system.fluid, case_.output.fluid_box, system.step, system.shear_time()));
+                       flow_file(*system.fluid, case_.output.fluid_box, system.step, system.shear_time(),
+                                 system.inside ? system.inside->marks() : std::span<const std::int32_t>()));
   fluid_.wrote(system.step);
 }
 

@@ -32,6 +32,18 @@ void add_spread_command(CLI::App& coupler, int& exit_code) {
   run_when_called(*command, arguments, exit_code);
 }
 
+void add_mark_command(CLI::App& coupler, int& exit_code) {
+  auto* command = coupler.add_subcommand("mark", "Which nodes of the grid are inside which capsule");
+  auto arguments = std::make_shared<Arguments<MarkStage>>();
+  arguments->the_case.add_to(*command);
+  command->add_option("--in", arguments->stage.in, "Surface file with the nodes")->required();
+  command
+      ->add_option("--out", arguments->stage.out,
+                   "Grid file to write (.vti), with the array `inside`: 0, or the capsule's number from 1")
+      ->required();
+  run_when_called(*command, arguments, exit_code);
+}
+
 void add_interpolate_command(CLI::App& coupler, int& exit_code) {
   auto* command = coupler.add_subcommand("interpolate", "Grid velocities to the nodes");
   auto arguments = std::make_shared<Arguments<InterpolateStage>>();
@@ -55,6 +67,7 @@ void add_coupler_command(CLI::App& app, int& exit_code) {
   coupler->require_subcommand(1);
   add_spread_command(*coupler, exit_code);
   add_interpolate_command(*coupler, exit_code);
+  add_mark_command(*coupler, exit_code);
 }
 
 }  // namespace tanktread::driver

@@ -23,6 +23,9 @@ void add_fluid_command(CLI::App& app, int& exit_code) {
                       "(default: the start of the case)");
   command->add_option("--force", stage.force,
                       "Grid file with the array `force`, held through all steps (default: none)");
+  command->add_option("--inside", stage.inside,
+                      "Grid file with the array `inside`: --out of tanktread coupler mark (default: "
+                      "viscosities stay as they are)");
   add_number(*command, "--steps", stage.n_steps, "Time steps to take", between(0, most_steps))
       ->capture_default_str();
   command->add_option("--out", stage.out, "State to write (.vti)")->required();

@@ -8,6 +8,7 @@
 #include "driver/stages/stage_errors.hpp"
 #include "driver/stages/stages.hpp"
 #include "driver/system/components.hpp"
+#include "driver/system/inside_fluid.hpp"
 #include "driver/system/phases.hpp"
 #include "exchange/vtk_files.hpp"
 
@@ -30,6 +31,19 @@ void run(const SpreadStage& stage) {
   const auto grid_force = spread(*coupler, surfaces.positions, force);
   exchange::write_grid(stage.out, grid_file(grid_force, "force", stage.the_case.flow.box,
                                             step_of(file.field_data, stage.in.string())));
+}
+
+void run(const MarkStage& stage) {
+  check_output({"--out", stage.out}, grid_output(), {{"--in", stage.in}});
+  require_memory_for_grid(stage.the_case);
+  const auto file = exchange::read_surface(stage.in);
+  const auto surfaces = surfaces_of(file, stage.in.string());
+  coupler::InsideMarks marks(coupler_grid(stage.the_case), stage.the_case.run.threads);
+  mark_inside(marks, surfaces.positions, surfaces.triangles, true);
+  auto out =
+      marks_file({}, marks.marks(), stage.the_case.flow.box, step_of(file.field_data, stage.in.string()));
+  out.point_data.pop_back();  // all are news
+  exchange::write_grid(stage.out, out);
 }
 
 /// What the tangential correction needs beside the velocity.
@@ -77,12 +91,18 @@ void with_coupler_errors(const std::filesystem::path& in, Stage stage) {
     with_stage_errors(stage);
   } catch (const coupler::StencilError& error) {
     throw InputError(fmt::format("{}: {}", in.string(), error.what()));
+  } catch (const coupler::InsideError& error) {
+    throw InputError(fmt::format("{}: {}", in.string(), error.what()));
   }
 }
 
 }  // namespace
 
 void run_stage(const SpreadStage& stage) {
+  with_coupler_errors(stage.in, [&] { run(stage); });
+}
+
+void run_stage(const MarkStage& stage) {
   with_coupler_errors(stage.in, [&] { run(stage); });
 }
 

@@ -40,6 +40,10 @@ void write_packet(const std::filesystem::path& file, const System& system, Packe
   exchange::write_surface(file, content);
 }
 
+void write_packet(const std::filesystem::path& file, const System& system, Packet, const GridMarks& marks) {
+  exchange::write_grid(file, marks_file(marks, system.inside->marks(), box_of(system), system.step + 1));
+}
+
 }  // namespace
 
 FilePassage::FilePassage(std::filesystem::path directory) : directory_(std::move(directory)) {
@@ -58,11 +62,18 @@ void FilePassage::pass(const System& system, Packet packet, NodeVectors& vectors
   vectors = read_node_packet(file, packet, vectors, system.step + 1);
 }
 
+void FilePassage::pass(const System& system, Packet packet, GridMarks& marks) {
+  const auto file = directory_ / (name_of(packet) + ".vti");
+  write_packet(file, system, packet, marks);
+  marks = read_marks_packet(file, system.membranes.size(), box_of(system), system.step + 1);
+}
+
 Recorder::Recorder(std::filesystem::path directory, RecordedSteps steps, const Case& the_case,
                    bool has_implicit)
     : directory_(std::move(directory)), steps_(steps), case_(the_case) {
   for (const auto packet : all_packets) {
     if (is_of_implicit(packet) && !has_implicit) continue;
+    if (is_of_contrast(packet) && !has_contrast(the_case)) continue;
     std::filesystem::create_directories(directory_ / name_of(packet));
     exchange::write_series(directory_ / (name_of(packet) + ".pvd"), {});
   }
@@ -88,6 +99,10 @@ void Recorder::pass(const System& system, Packet packet, GridVectors& vectors) {
 
 void Recorder::pass(const System& system, Packet packet, NodeVectors& vectors) {
   record(system, packet, vectors);
+}
+
+void Recorder::pass(const System& system, Packet packet, GridMarks& marks) {
+  record(system, packet, marks);
 }
 
 void Recorder::step_done(const System& system) {

@@ -18,6 +18,7 @@ class FilePassage : public Passage {
   explicit FilePassage(std::filesystem::path directory);
   void pass(const System& system, Packet packet, GridVectors& vectors) override;
   void pass(const System& system, Packet packet, NodeVectors& vectors) override;
+  void pass(const System& system, Packet packet, GridMarks& marks) override;
 
  private:
   std::filesystem::path directory_;
@@ -37,6 +38,7 @@ class Recorder : public Passage {
   Recorder(std::filesystem::path directory, RecordedSteps steps, const Case& the_case, bool has_implicit);
   void pass(const System& system, Packet packet, GridVectors& vectors) override;
   void pass(const System& system, Packet packet, NodeVectors& vectors) override;
+  void pass(const System& system, Packet packet, GridMarks& marks) override;
   void step_done(const System& system) override;
   /// What was recorded so far is a whole record.
   void stopped(const System& system) override;

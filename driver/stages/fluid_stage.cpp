@@ -35,6 +35,11 @@ void take_steps(fluid::Fluid& fluid, const FluidStage& stage) {
     force = grid_vectors_of(exchange::read_grid(stage.force), "force", stage.the_case.flow.box,
                             stage.force.string());
   }
+  if (!stage.inside.empty()) {
+    const auto marks = grid_marks_of(exchange::read_grid(stage.inside), stage.the_case.capsules.size(),
+                                     stage.the_case.flow.box, stage.inside.string());
+    set_viscosity(fluid, marks, viscosities_of_marks(stage.the_case));
+  }
   for (std::int64_t k = 0; k < stage.n_steps; ++k) advance_fluid(fluid, force);
 }
 
@@ -46,11 +51,12 @@ void check_places(const FluidStage& stage) {
         "leave out --free");
   }
   // A state may be carried on in its place.
-  check_output({"--out", stage.out}, grid_output(), {{"--force", stage.force}});
+  check_output({"--out", stage.out}, grid_output(), {{"--force", stage.force}, {"--inside", stage.inside}});
   std::vector<NamedFile> before = {{"--out", stage.out}};
   for (const auto& output : {NamedFile{"--fields", stage.fields}, NamedFile{"--free", stage.free}}) {
     if (output.file.empty()) continue;
-    check_output(output, grid_output(), {{"--state", stage.state}, {"--force", stage.force}});
+    check_output(output, grid_output(),
+                 {{"--state", stage.state}, {"--force", stage.force}, {"--inside", stage.inside}});
     for (const auto& other : before) {
       if (std::filesystem::weakly_canonical(output.file) != std::filesystem::weakly_canonical(other.file))
         continue;

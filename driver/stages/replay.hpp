@@ -35,8 +35,9 @@ struct ReplayedArray {
 ///   free_velocity -> node_force; all histories at the end. Then the membrane gives explicit_force in the
 ///   place of node_force, its history is not compared, and the fluid gives free_velocity too
 /// - coupler: positions, grid_velocity (and with coupler.tangential_correction the node_force before) ->
-///   node_velocity; positions, node_force -> grid_force
-/// - fluid: grid_force -> grid_velocity of the next step; its whole state at the end
+///   node_velocity; positions, node_force -> grid_force; with a viscosity contrast
+///   positions -> inside
+/// - fluid: grid_force (and inside) -> grid_velocity of the next step; its whole state at the end
 /// @return all arrays, in the order of the steps
 /// @throws InputError for a record that is not there, incomplete or does not fit the settings; RunError
 std::vector<ReplayedArray> replay(const ReplayOptions& options);

@@ -57,6 +57,13 @@ void keep_common(std::vector<Array>& recorded, const std::vector<Array>& given) 
   });
 }
 
+/// A packet as if all its nodes crossed the border.
+GridPacket without_touched(const std::filesystem::path& file) {
+  auto content = exchange::read_grid(file);
+  std::erase_if(content.point_data, [](const Array& array) { return array.name == touched_array; });
+  return content;
+}
+
 }  // namespace
 
 ReplayRecord::ReplayRecord(const ReplayOptions& options) : directory_(options.record), out_(options.out) {
@@ -76,7 +83,8 @@ ReplayRecord::ReplayRecord(const ReplayOptions& options) : directory_(options.re
   has_end_ = std::filesystem::exists(end);
   last_step_ = has_end_ ? step_of(exchange::read_surface(end).field_data, end.string()) : begin_.step;
   // A run that broke down has no end: its last step is the last one with all packets.
-  while (!has_end_ && std::filesystem::exists(packet_path(directory_, Packet::grid_force, last_step_ + 1)))
+  const auto last_packet = has_contrast(the_case) ? Packet::inside : Packet::grid_force;
+  while (!has_end_ && std::filesystem::exists(packet_path(directory_, last_packet, last_step_ + 1)))
     ++last_step_;
   if (last_step_ <= begin_.step) throw InputError(directory_.string() + ": holds no whole step");
 }
@@ -106,9 +114,7 @@ NodeVectors ReplayRecord::nodes(Packet packet, std::int64_t step) const {
 GridVectors ReplayRecord::grid(Packet packet, std::int64_t step, bool everywhere) const {
   const auto file = packet_path(directory_, packet, step);
   if (!everywhere) return read_grid_packet(file, packet, box_, step);
-  auto content = exchange::read_grid(file);
-  std::erase_if(content.point_data, [](const Array& array) { return array.name == touched_array; });
-  return grid_vectors_of(content, array_of(packet), box_, file.string());
+  return grid_vectors_of(without_touched(file), array_of(packet), box_, file.string());
 }
 
 template <class File>
@@ -158,6 +164,22 @@ void ReplayRecord::compare(Packet packet, std::int64_t step, const GridVectors& 
     now.point_data.back() = exchange::find_array(recorded.point_data, touched_array, file.string());
   add(step, name_of(packet), file, recorded, now);
   write_field(packet, step, recorded, now, array_of(packet));
+}
+
+GridMarks ReplayRecord::marks(std::int64_t step, bool everywhere) const {
+  const auto file = packet_path(directory_, Packet::inside, step);
+  const auto n_capsules = begin_.positions.size();
+  if (!everywhere) return read_marks_packet(file, n_capsules, box_, step);
+  return grid_marks_of(without_touched(file), n_capsules, box_, file.string());
+}
+
+void ReplayRecord::compare(std::int64_t step, const GridMarks& news, std::span<const std::int32_t> all) {
+  const auto file = packet_path(directory_, Packet::inside, step);
+  add(step, name_of(Packet::inside), file, exchange::read_grid(file), marks_file(news, all, box_, step));
+}
+
+bool ReplayRecord::has_marks() const {
+  return std::filesystem::exists(packet_path(directory_, Packet::inside, first_step()));
 }
 
 void ReplayRecord::compare_end(const SurfacePacket& given) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,9 +35,17 @@ class ReplayRecord {
   /// @param everywhere all nodes of the file, not only those that crossed the border
   GridVectors grid(Packet packet, std::int64_t step, bool everywhere = false) const;
 
+  /// The nodes that the step which makes `step` brought into a capsule, or out of one.
+  /// @param everywhere the marks of all nodes instead
+  GridMarks marks(std::int64_t step, bool everywhere = false) const;
+  /// Whether the fluid in a capsule has another viscosity, and the record such marks.
+  bool has_marks() const;
+
   /// Compares a packet with the recorded one; writes the difference as a field if that is wanted.
   void compare(Packet packet, std::int64_t step, const NodeVectors& given);
   void compare(Packet packet, std::int64_t step, const GridVectors& given);
+  /// @param all the marks of all nodes after that
+  void compare(std::int64_t step, const GridMarks& news, std::span<const std::int32_t> all);
   /// Compares arrays of the state at the end: those that `given` has too.
   void compare_end(const exchange::SurfacePacket& given);
   void compare_end(const exchange::GridPacket& given);

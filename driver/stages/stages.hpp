@@ -56,6 +56,15 @@ struct SpreadStage {
 };
 void run_stage(const SpreadStage& stage);
 
+/// `tanktread coupler mark`: which nodes of the grid are inside which capsule.
+struct MarkStage {
+  Case the_case;
+  std::filesystem::path in;  ///< a surface file
+  std::filesystem::path
+      out;  ///< the grid file to write, with point data inside: 0, or the capsule's number from 1
+};
+void run_stage(const MarkStage& stage);
+
 /// `tanktread coupler interpolate`: grid velocities to the nodes.
 struct InterpolateStage {
   Case the_case;
@@ -71,6 +80,9 @@ struct FluidStage {
   std::filesystem::path
       state;  ///< an output of this stage, or a checkpoint's fluid.vti; "": the start of the case
   std::filesystem::path force;  ///< a grid file with point data force, held through all steps; "": none
+  /// A grid file with point data inside, by which nodes take the viscosity of a capsule, held as well; "":
+  /// the viscosities stay as they are.
+  std::filesystem::path inside;
   std::int64_t n_steps = 1;
   std::filesystem::path out;     ///< the state to write
   std::filesystem::path fields;  ///< a grid file with density, velocity, force to write too; "": none

@@ -24,6 +24,8 @@ fluid::Storage storage_of(const FlowCase& flow);
 /// Memory of the flow solver and of its state beside it, as when a checkpoint is written.
 double fluid_memory_bytes(const FlowCase& flow);
 
+/// The grid of a case as the coupler sees it.
+coupler::Grid coupler_grid(const Case& the_case);
 /// The coupler of a case, without stencils.
 std::unique_ptr<coupler::Coupler> make_coupler(const Case& the_case);
 /// What a case adds to the velocity that its coupler interpolates.

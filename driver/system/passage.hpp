@@ -17,6 +17,7 @@ class Passage {
   /// `positions` has passed, x(t+1) from then on
   virtual void pass(const System& system, Packet packet, GridVectors& vectors);
   virtual void pass(const System& system, Packet packet, NodeVectors& vectors);
+  virtual void pass(const System& system, Packet packet, GridMarks& marks);
 
   /// The step is done: `system` stands at its end.
   virtual void step_done(const System& system);
@@ -27,6 +28,7 @@ class Passage {
 
 inline void Passage::pass(const System&, Packet, GridVectors&) {}
 inline void Passage::pass(const System&, Packet, NodeVectors&) {}
+inline void Passage::pass(const System&, Packet, GridMarks&) {}
 inline void Passage::step_done(const System&) {}
 inline void Passage::stopped(const System&) {}
 

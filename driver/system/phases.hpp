@@ -87,11 +87,15 @@ GridVectors spread(coupler::Coupler& coupler, const NodeVectors& positions, cons
 /// The second of these, with the stencils as they are.
 GridVectors spread_force(const coupler::Coupler& coupler, const NodeVectors& force, GridVectors memory = {});
 
-/// 8. fluid: streams to t+1 and collides under F(t+1): set_force(), then the fluid's step.
+/// fluid: nodes that have come into a capsule, or out of one, take its viscosity.
+/// @param of_marks viscosities_of_marks()
+void set_viscosity(fluid::Fluid& fluid, const GridMarks& marks, std::span<const double> of_marks);
+
+/// 9. fluid: streams to t+1 and collides under F(t+1): set_force(), then the fluid's step.
 /// @return the highest speed. @throws fluid::Breakdown
 double advance_fluid(fluid::Fluid& fluid, const GridVectors& force);
 
-/// The first part of 8.: the force of before is replaced.
+/// The first part of 9.: the force of before is replaced.
 void set_force(fluid::Fluid& fluid, const GridVectors& force);
 
 /// The positions of all membranes.

@@ -22,6 +22,13 @@ double advance_fluid(fluid::Fluid& fluid, const GridVectors& force) {
   return fluid.step();
 }
 
+void set_viscosity(fluid::Fluid& fluid, const GridMarks& marks, std::span<const double> of_marks) {
+  std::vector<double> viscosity;
+  viscosity.reserve(marks.capsule.size());
+  for (const auto mark : marks.capsule) viscosity.push_back(of_marks[static_cast<std::size_t>(mark)]);
+  fluid.set_viscosity(*marks.nodes, viscosity);
+}
+
 void set_force(fluid::Fluid& fluid, const GridVectors& force) {
   fluid.clear_force();
   fluid.add_force(*force.nodes, force.values);

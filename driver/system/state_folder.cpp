@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "driver/packets/fluid_files.hpp"
+#include "driver/program/errors.hpp"
 #include "driver/system/membrane_files.hpp"
 #include "driver/system/phases.hpp"
 #include "exchange/vtk_files.hpp"
@@ -38,7 +39,16 @@ void restore(System& system, const SavedState& state) {
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("{}: does not fit the case: {}", state.folder.string(), error.what()));
   }
-  build_stencils(*system.coupler, state.positions);
+  try {
+    build_stencils(*system.coupler, state.positions);
+    // The fluid's state has the viscosities already.
+    if (system.inside)
+      mark_inside(*system.inside, state.positions, surfaces_of(system.membranes).triangles, true);
+  } catch (const coupler::StencilError& error) {
+    throw InputError(fmt::format("{}: {}", state.folder.string(), error.what()));
+  } catch (const coupler::InsideError& error) {
+    throw InputError(fmt::format("{}: {}", state.folder.string(), error.what()));
+  }
 }
 
 }  // namespace tanktread::driver

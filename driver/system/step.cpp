@@ -91,7 +91,15 @@ void advance_phases(System& system, Passage& passage) {
       timed(seconds.spreading, [&] { return spread_force(coupler, system.node_force, std::move(force)); });
   passage.pass(system, Packet::grid_force, force);
 
-  // 8. The fluid goes to t+1 under F(t+1).
+  // 8. The nodes inside capsules at x(t+1).
+  if (system.inside) {
+    auto news =
+        timed(seconds.inside, [&] { return mark_inside(*system.inside, positions, before.triangles); });
+    passage.pass(system, Packet::inside, news);
+    timed(seconds.inside, [&] { set_viscosity(fluid, news, system.viscosity_of_marks); });
+  }
+
+  // 9. The fluid goes to t+1 under F(t+1).
   timed(seconds.forced_nodes, [&] { set_force(fluid, force); });
   system.highest_speed = timed(seconds.fluid, [&] { return fluid.step(); });
   ++system.step;
@@ -115,6 +123,8 @@ void advance(System& system, Passage& passage) {
   } catch (const coupler::StencilError& error) {
     stop(error);
   } catch (const coupler::CorrectionError& error) {
+    stop(error);
+  } catch (const coupler::InsideError& error) {
     stop(error);
   } catch (const NotConverged& error) {
     stop(error);

@@ -4,9 +4,24 @@
 #include <omp.h>
 
 #include "driver/system/components.hpp"
+#include "driver/system/membrane_files.hpp"
 #include "driver/system/phases.hpp"
 
 namespace tanktread::driver {
+
+namespace {
+
+void mark_start(System& system) {
+  const auto surfaces = surfaces_of(system.membranes);
+  try {
+    set_viscosity(*system.fluid, mark_inside(*system.inside, surfaces.positions, surfaces.triangles, true),
+                  system.viscosity_of_marks);
+  } catch (const coupler::InsideError& error) {
+    throw InputError(fmt::format("{}; move the capsule (capsule.N.position)", error.what()));
+  }
+}
+
+}  // namespace
 
 System make_system(const Case& the_case, const Parameters& parameters,
                    const std::vector<membrane::TriangleMesh>& meshes) {
@@ -24,6 +39,11 @@ System make_system(const Case& the_case, const Parameters& parameters,
   } catch (const coupler::StencilError& error) {
     throw InputError(
         fmt::format("{}; move the capsule (capsule.N.position) or enlarge flow.box", error.what()));
+  }
+  system.inside = make_inside(the_case);
+  if (system.inside) {
+    system.viscosity_of_marks = viscosities_of_marks(the_case);
+    mark_start(system);
   }
   return system;
 }

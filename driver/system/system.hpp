@@ -10,6 +10,7 @@
 #include "driver/packets/packets.hpp"
 #include "driver/system/capsule_membrane.hpp"
 #include "driver/system/implicit_forces.hpp"
+#include "driver/system/inside_fluid.hpp"
 #include "driver/system/node_corrections.hpp"
 #include "driver/units/units.hpp"
 #include "fluid/fluid.hpp"
@@ -23,6 +24,7 @@ struct StepSeconds {
   double stencils = 0, interpolation = 0, spreading = 0;
   double correction = 0;  ///< of the interpolated velocity: along the membrane, and for the volume
   double membranes = 0;   ///< moving the nodes, strain, stress, nodal forces
+  double inside = 0;      ///< marking the nodes inside capsules, and their viscosity
   double implicit = 0;    ///< implicit viscous forces, with the free velocities taken for them
 };
 
@@ -42,6 +44,8 @@ struct System {
   std::unique_ptr<coupler::Coupler> coupler;
   NodeCorrections corrections;
   std::vector<CapsuleMembrane> membranes;
+  std::unique_ptr<coupler::InsideMarks> inside;  ///< of x(t); null: the fluid has one viscosity
+  std::vector<double> viscosity_of_marks;        ///< for these
 
   ImplicitSettings implicit;  ///< of implicit viscosities, if there are any
 

@@ -51,4 +51,15 @@ FlowParameters flow_parameters(const Case& the_case) {
   return result;
 }
 
+double inner_relaxation_time(const FlowParameters& flow, double viscosity_ratio) {
+  return 0.5 + 3.0 * viscosity_ratio * flow.kinematic_viscosity;
+}
+
+std::vector<double> viscosities_of_marks(const Case& the_case) {
+  const double outer = flow_parameters(the_case).kinematic_viscosity;
+  std::vector<double> viscosities = {outer};
+  for (const auto& capsule : the_case.capsules) viscosities.push_back(capsule.viscosity_ratio * outer);
+  return viscosities;
+}
+
 }  // namespace tanktread::driver

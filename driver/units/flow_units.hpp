@@ -24,4 +24,11 @@ struct FlowParameters {
 /// Works out all of the above. Lattice units: density 1, so that mu_o = nu. Formulas: docs/units.md.
 FlowParameters flow_parameters(const Case& the_case);
 
+/// tau+ = 1/2 + 3 lambda nu of the fluid in a capsule.
+double inner_relaxation_time(const FlowParameters& flow, double viscosity_ratio);
+
+/// Kinematic viscosities by the mark of a node (GridMarks): that outside, then of each capsule lambda times
+/// that.
+std::vector<double> viscosities_of_marks(const Case& the_case);
+
 }  // namespace tanktread::driver

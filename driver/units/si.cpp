@@ -27,6 +27,8 @@ SiCase si_of(const Case& the_case, const Parameters& parameters, const SiScales&
   si.radius_m = first.radius * scales.length_m;
   si.shear_rate_per_s = parameters.shear_rate / scales.time_s;
   si.viscosity_Pa_s = parameters.kinematic_viscosity * pascal_second;
+  if (the_case.si && the_case.si->inner_viscosity_Pa_s)
+    si.inner_viscosity_Pa_s = first.viscosity_ratio * si.viscosity_Pa_s;
   // The lattice density is 1; a density is force time^2/length^4.
   si.density_kg_per_m3 = pascal_second * scales.time_s / (scales.length_m * scales.length_m);
   if (first.interfacial_tension > 0) {

@@ -88,7 +88,7 @@ def capillary_number_by_shear_modulus(membrane):
 # The accounts of time in a run's log, by component.
 COMPONENTS = {
     "fluid_percent": ("fluid", "forced nodes"),
-    "coupler_percent": ("stencils", "interpolation", "spreading", "correction"),
+    "coupler_percent": ("stencils", "interpolation", "spreading", "correction", "inside"),
     "membrane_percent": ("membranes", "implicit forces"),
 }
 

@@ -1,13 +1,16 @@
-// What the immersed boundary of a step costs: the stencils, the way to the membrane and the way back.
+// What the immersed boundary of a step costs: the stencils, the way to the membrane and the way back; and
+// which grid nodes are inside.
 #include <benchmark/benchmark.h>
 
 #include <span>
 #include <vector>
 
 #include "coupler/coupler.hpp"
+#include "coupler/inside.hpp"
 #include "coupler/node_normals.hpp"
 #include "coupler/tangential_correction.hpp"
 #include "tests/bench/bandwidth.hpp"
+#include "tests/unit/coupler_closed_surfaces.hpp"
 #include "tests/unit/coupler_support.hpp"
 
 namespace tanktread::coupler {
@@ -107,6 +110,31 @@ void every_kernel(const char* what, void (Capsule::*work)()) {
   }
 }
 
+/// Spheres of the thesis's size, `across` along each axis of a box with 120^3 nodes for each.
+void inside(benchmark::State& state, bool anew) {
+  const int across = static_cast<int>(state.range(0)), threads = static_cast<int>(state.range(1));
+  const int length = 120 * across;
+  InsideMarks marks({{length, length, length}, {true, true, false}}, threads);
+  const auto spheres_at = [&](const test::Vector& place) {
+    std::vector<test::Surface> spheres;
+    for (int k = 0; k < across * across * across; ++k) {
+      const test::Vector corner = {120.0 * (k % across), 120.0 * (k / across % across),
+                                   120.0 * (k / (across * across))};
+      spheres.push_back(test::moved(test::moved(test::ellipsoid(4, {19.1, 19.1, 19.1}), place), corner));
+    }
+    return spheres;
+  };
+  const auto here = spheres_at({60.0, 60.0, 60.0}), there = spheres_at({60.05, 60.01, 59.99});
+  const test::Spans spans[] = {test::Spans(here), test::Spans(there)};
+  int n_updates = 0;
+  for (auto _ : state) {
+    const auto& [positions, triangles] = spans[++n_updates % 2];
+    anew ? marks.mark(positions, triangles) : marks.update(positions, triangles);
+    benchmark::ClobberMemory();
+  }
+  state.counters["changes"] = static_cast<double>(marks.changes().size());
+}
+
 }  // namespace
 }  // namespace tanktread::coupler
 
@@ -117,5 +145,12 @@ int main(int argc, char** argv) {
   every_kernel("coupler_spread", &Capsule::spread);
   every_kernel("coupler_step", &Capsule::step);
   every_kernel("coupler_correct", &Capsule::correct);
+  for (const bool anew : {false, true}) {
+    benchmark::RegisterBenchmark(anew ? "coupler_inside_mark" : "coupler_inside_update", inside, anew)
+        ->ArgNames({"across", "threads"})
+        ->ArgsProduct({{1, 2}, {1, 2}})
+        ->Unit(benchmark::kMicrosecond)
+        ->UseRealTime();
+  }
   return tanktread::bench::run(argc, argv);
 }

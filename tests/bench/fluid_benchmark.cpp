@@ -146,6 +146,53 @@ void fluid_step_with_shell(benchmark::State& state) {
   state.counters["ms_more"] = 500.0 * (median(with_shell) - median(without));
 }
 
+/// The nodes of a sphere of radius 19 in the middle of the box, as inside a capsule.
+std::vector<std::int64_t> ball(const fluid::GridShape& shape) {
+  std::vector<std::int64_t> nodes;
+  const double centre = 0.5 * shape.nx, radius = 19.0;
+  for (int z = 0; z < shape.nz; ++z)
+    for (int y = 0; y < shape.ny; ++y)
+      for (int x = 0; x < shape.nx; ++x)
+        if (std::hypot(x + 0.5 - centre, y + 0.5 - centre, z + 0.5 - centre) < radius)
+          nodes.push_back(shape.index(x, y, z));
+  return nodes;
+}
+
+/// A step where the fluid in a sphere has five times the viscosity, against one with the same everywhere. The
+/// two flows take turns, as above. What it takes to change the viscosity of some nodes is timed apart.
+void fluid_step_with_contrast(benchmark::State& state) {
+  const auto with_ball = shear_flow(state), without = shear_flow(state);
+  const auto nodes = ball(with_ball->shape());
+  with_ball->set_viscosity(nodes, std::vector<double>(nodes.size(), 5.0 / 6.0));
+  // Some hundred of them, far apart: no two in one pack.
+  std::vector<std::int64_t> changing;
+  for (std::size_t k = 0; k < nodes.size(); k += 97) changing.push_back(nodes[k]);
+  const std::vector<double> inside(changing.size(), 5.0 / 6.0), outside(changing.size(), 1.0 / 6.0);
+  const auto time_of_steps = [](fluid::Fluid& flow) {
+    for (int k = 0; k < 2; ++k) flow.step();  // not timed: the other flow was in the cache
+    const Stopwatch watch;
+    for (int k = 0; k < 2; ++k) flow.step();
+    return watch.seconds();
+  };
+  double seconds = 0.0;
+  std::vector<double> times_with, times_without, times_of_change;
+  for (auto _ : state) {
+    times_with.push_back(time_of_steps(*with_ball));
+    times_without.push_back(time_of_steps(*without));
+    const Stopwatch change;
+    with_ball->set_viscosity(changing, outside);
+    with_ball->set_viscosity(changing, inside);
+    times_of_change.push_back(change.seconds());
+    state.SetIterationTime(times_with.back());
+    seconds += times_with.back();
+  }
+  count(state, with_ball->shape().size(), 2, seconds);
+  state.counters["inside_nodes"] = static_cast<double>(nodes.size());
+  state.counters["ms_a_step"] = 500.0 * median(times_without);
+  state.counters["ratio"] = median(times_with) / median(times_without);
+  state.counters["ns_a_node_changed"] = 5e8 * median(times_of_change) / static_cast<double>(changing.size());
+}
+
 /// What free_velocity() on the shell takes, where a membrane asks for it: after velocity(), between two
 /// steps.
 void free_velocity_on_shell(benchmark::State& state) {
@@ -185,6 +232,11 @@ void sizes(benchmark::internal::Benchmark* benchmark) {
 }
 BENCHMARK(fluid_step)->Apply(sizes)->UseRealTime();
 BENCHMARK(fluid_step_with_shell)->Apply(sizes)->UseManualTime();
+BENCHMARK(fluid_step_with_contrast)
+    ->Apply([](auto* benchmark) {
+      benchmark->ArgNames({"nodes_per_edge", "bytes_of_number"})->Unit(benchmark::kMillisecond);
+      for (const int bytes : {8, 4}) benchmark->Args({120, bytes});
+    }) -> UseManualTime();
 BENCHMARK(free_velocity_on_shell)->Apply(sizes)->UseManualTime();
 BENCHMARK(load_and_store<double>)->Apply([](auto* benchmark) { sizes_of(benchmark, {8}); }) -> UseRealTime();
 BENCHMARK(load_and_store<float>)->Apply([](auto* benchmark) { sizes_of(benchmark, {4}); }) -> UseRealTime();

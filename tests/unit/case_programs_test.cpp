@@ -51,6 +51,10 @@ TEST(CasePrograms, AProgramThatIsNotThereIsRefused) {
 TEST(CasePrograms, AFluidHasOneViscosity) {
   EXPECT_THAT(refusal(least_case, {"flow.command=[\"sh\"]", "flow.viscosity_ratio=5"}),
               HasSubstr("flow.command=[\"sh\"]: a program in the place of the fluid has the same viscosity"));
+  EXPECT_THAT(refusal(si_case, {"flow.command=[\"sh\"]", "si.inner_viscosity_Pa_s=6e-3"}),
+              AllOf(HasSubstr("flow.command=[\"sh\"]: a program in the place of the fluid has the same"),
+                    HasSubstr("si.inner_viscosity_Pa_s = 0.006")));
+  EXPECT_EQ(refusal(si_case, {"flow.command=[\"sh\"]", "si.inner_viscosity_Pa_s=1.2e-3"}), "");
 }
 
 TEST(CasePrograms, HasProgram) {

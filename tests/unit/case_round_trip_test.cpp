@@ -42,6 +42,7 @@ TEST(CaseRoundTrip, WithAssignments) {
       {"membrane.viscous={spring_relaxation_time = 0.01, spring_modulus_dilatational = 2e-3}"},
       {"membrane.command=[\"/bin/sh\", \"a \\\"b\\\"\", \"\"]", "run.command_time_limit=0.5"},
       {"flow.command=[\"sh\"]", "run.command_directory=packets"},
+      {"flow.viscosity_ratio=5", "capsule.0.viscosity_ratio=0.2"},
   };
   for (const auto& assignments : all) expect_round_trip(parse(least_case, assignments));
 }
@@ -53,6 +54,8 @@ TEST(CaseRoundTrip, WithPhysicalValues) {
       {"flow.kind=periodic", "flow.shear_rate=1e-4"},
       {"si.membrane_shear_viscosity_N_s_per_m=3e-7", "si.membrane_dilatational_viscosity_N_s_per_m=1e-7"},
       {"si.density_kg_per_m3=997.0479"},
+      {"si.inner_viscosity_Pa_s=6.1e-3"},
+      {"flow.viscosity_ratio=5", "capsule.1.viscosity_ratio=0.7"},
   };
   for (const auto& assignments : all) expect_round_trip(parse(si_case, assignments));
   auto droplet = si_case;

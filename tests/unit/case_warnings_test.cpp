@@ -72,6 +72,18 @@ TEST(CaseWarnings, OneOnEachSideOfItsBound) {
   }
 }
 
+TEST(CaseWarnings, TheRelaxationTimeInACapsule) {
+  // nu = 1/6: tau+ = 1/2 + lambda/2 is 0.55 at lambda = 0.1, and 2 at 3.
+  for (const std::string fine : {"0.1001", "0.5", "1", "2.999"})
+    EXPECT_THAT(warnings_of({"capsule.0.viscosity_ratio=" + fine}), IsEmpty());
+  EXPECT_THAT(warnings_of({"flow.viscosity_ratio=0.099"}),
+              ElementsAre(AllOf(HasSubstr("tau+ = 0.5495 in capsule 0 is below 0.55"),
+                                HasSubstr("raise flow.relaxation_time"))));
+  EXPECT_THAT(warnings_of({"flow.viscosity_ratio=3.002"}),
+              ElementsAre(AllOf(HasSubstr("tau+ = 2.001 in capsule 0 is over 2"),
+                                HasSubstr("lower flow.relaxation_time"))));
+}
+
 TEST(CaseWarnings, ReynoldsNumberMattersWithInertia) {
   // Re = 5e-4 * 36/nu = 1 at nu = 0.018, tau+ = 0.554.
   EXPECT_THAT(warnings_of({"flow.relaxation_time=0.5541"}), IsEmpty());
@@ -195,6 +207,7 @@ TEST(CaseWarnings, PhysicalValuesThatAreOffByTheirUnit) {
       {"si.radius_m", "4"},
       {"si.shear_rate_per_s", "1e9"},
       {"si.viscosity_Pa_s", "1.2e6"},
+      {"si.inner_viscosity_Pa_s", "6e6"},
       {"si.density_kg_per_m3", "1e-3"},
       {"si.shear_modulus_N_per_m", "5.3e3"},
       {"si.membrane_shear_viscosity_N_s_per_m", "300"},

@@ -86,6 +86,15 @@ TEST(Cost, SinglePrecisionHalvesTheLattice) {
   EXPECT_EQ(memory("double") - memory("single"), 19 * 4 * n_nodes);
 }
 
+TEST(Cost, AViscosityContrastTakesMarksAndViscosities) {
+  const double n_nodes = 36 * 40 * 44;
+  const auto one = cost_of({}), contrast = cost_of({"flow.viscosity_ratio=5"});
+  for (const std::string kind : {"fluid files", "checkpoints"})
+    EXPECT_EQ(files(contrast, kind).bytes - files(one, kind).bytes, 8 * n_nodes) << kind;
+  EXPECT_EQ(contrast.memory_bytes - one.memory_bytes, 20 * n_nodes);
+  EXPECT_EQ(files(contrast, "membrane files").bytes, files(one, "membrane files").bytes);
+}
+
 TEST(Cost, AnEndThatNoRunReachesIsRefused) {
   EXPECT_THROW(make_plan(parse(least_case, {"run.shear_time=1e18"})), InputError);
 }

@@ -87,6 +87,74 @@ TEST(TangentialCorrection, GoesWithTheInverseOfTheViscosity) {
   for (std::size_t k = 0; k < once.size(); ++k) EXPECT_NEAR(half[k], 0.5 * once[k], 4 * eps);  // sums below 4
 }
 
+/// Two spheres whose nodes share grid nodes, and what pushes on each.
+struct TwoSurfaces {
+  Numbers nodes[2] = {sphere(90, 3.0, {6.2, 8.9, 11.3}), sphere(70, 2.5, {12.4, 8.7, 11.6})};
+  Numbers normals[2], force[2] = {random_numbers(270, -1, 1, 3), random_numbers(210, -1, 1, 4)};
+  TwoSurfaces() {
+    const double centre[2][3] = {{6.2, 8.9, 11.3}, {12.4, 8.7, 11.6}}, radius[2] = {3.0, 2.5};
+    for (int which = 0; which < 2; ++which) {
+      for (std::size_t k = 0; k < nodes[which].size(); ++k)
+        normals[which].push_back((nodes[which][k] - centre[which][k % 3]) / radius[which]);
+    }
+  }
+  /// The velocities that a correction adds, of both surfaces one after the other.
+  template <class Viscosity>
+  Numbers added(const Kernel& kernel, const Numbers& first, const Numbers& second,
+                const Viscosity& viscosity) const {
+    Coupler coupler(box, kernel, 1);
+    build(coupler, {nodes[0], nodes[1]});
+    Numbers velocity[2] = {Numbers(first.size()), Numbers(second.size())};
+    const std::span<const double> n[] = {normals[0], normals[1]}, f[] = {first, second};
+    const std::span<double> u[] = {velocity[0], velocity[1]};
+    TangentialCorrection(coupler, viscosity).add(coupler, n, f, u);
+    return joined({velocity[0], velocity[1]});
+  }
+};
+
+TEST_P(TangentialKernels, HaveTheSameBitsByOneViscosityAndByAListOfIt) {
+  const TwoSurfaces two;
+  const auto by_one = two.added(GetParam(), two.force[0], two.force[1], 0.3);
+  EXPECT_EQ(two.added(GetParam(), two.force[0], two.force[1], std::vector{0.3, 0.3}), by_one);
+  EXPECT_EQ(two.added(GetParam(), two.force[0], two.force[1], std::vector{0.3}), by_one);
+}
+
+TEST_P(TangentialKernels, AddASymmetricMobilityBetweenSurfacesOfTwoViscosities) {
+  const TwoSurfaces two;
+  const std::vector<double> viscosities = {0.1, 0.7};
+  const Numbers none[2] = {Numbers(270), Numbers(210)};
+  const auto by_first = two.added(GetParam(), two.force[0], none[1], viscosities);
+  const auto by_second = two.added(GetParam(), none[0], two.force[1], viscosities);
+  // What each does to the other, by its own force there.
+  const double at_second = dot(two.force[1], Numbers(by_first.begin() + 270, by_first.end())),
+               at_first = dot(two.force[0], Numbers(by_second.begin(), by_second.begin() + 270));
+  EXPECT_NEAR(at_first, at_second, rounding);
+  EXPECT_GT(std::abs(at_first), 1e3 * rounding) << "they are too far apart to see each other";
+  // Within a surface it is by its own viscosity; between two by sqrt(mu_1 mu_2).
+  const auto first_by_unit = two.added(GetParam(), two.force[0], none[1], 1.0);
+  const double mean = std::sqrt(0.1 * 0.7);
+  for (std::size_t k = 0; k < by_first.size(); ++k)
+    EXPECT_NEAR(by_first[k] * (k < 270 ? 0.1 : mean), first_by_unit[k], rounding) << k;
+  // And it takes no energy from the fluid.
+  EXPECT_GT(dot(joined({two.force[0], two.force[1]}),
+                two.added(GetParam(), two.force[0], two.force[1], viscosities)),
+            0);
+}
+
+TEST(TangentialCorrection, RefusesAListThatIsNotOneASurface) {
+  const Coupler coupler(box, kernels().front(), 1);
+  EXPECT_THROW(TangentialCorrection(coupler, std::vector<double>{}), std::invalid_argument);
+  for (const double viscosity : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    const std::vector list = {0.2, viscosity};
+    EXPECT_THROW(TangentialCorrection(coupler, list), std::invalid_argument) << viscosity;
+  }
+  const TwoSurfaces two;
+  for (const double third : {0.2, 0.3}) {
+    const std::vector list = {0.2, 0.2, third};
+    EXPECT_THROW(two.added(kernels().front(), two.force[0], two.force[1], list), std::invalid_argument);
+  }
+}
+
 TEST(TangentialCorrection, RefusesAViscosityThatIsNotPositive) {
   const Coupler coupler(box, kernels().front(), 1);
   for (const double viscosity : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {

@@ -95,6 +95,15 @@ TEST(Echo, SaysWhatFollows) {
   EXPECT_EQ(line_of(text, "speed"), "speed 20.0 MLUPS measured now, as the time to write");
 }
 
+TEST(Echo, SaysWhatAViscosityRatioMakesOfTheFluidInside) {
+  const auto text = echo_of(parse(si_case, {"si.inner_viscosity_Pa_s=6e-3", "flow.relaxation_time=0.8"}));
+  // nu = 0.1: mu_i = 0.5, tau+ = 1/2 + 3 * 0.5.
+  EXPECT_EQ(line_of(text, "viscosity ratio lambda"), "viscosity ratio lambda 5 mu_i/mu_o");
+  EXPECT_EQ(line_of(text, "viscosity mu_i"), "viscosity mu_i 0.5 0.006 Pa s lambda mu_o");
+  EXPECT_EQ(line_of(text, "tau+ inside"), "tau+ inside 2 1/2 + 3 lambda nu");
+  EXPECT_THAT(echo_of(parse(si_case)), AllOf(Not(HasSubstr("mu_i  ")), Not(HasSubstr("tau+ inside"))));
+}
+
 TEST(Echo, NamesOnlyWhatTheCaseHas) {
   const auto droplet = echo_of(parse(droplet_case));
   EXPECT_THAT(droplet,

@@ -11,6 +11,8 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
+using Nodes = std::vector<std::int64_t>;
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -102,9 +104,17 @@ TEST_P(FluidBorder, refuses_bad_viscosity) {
     viscosity[17] = bad;
     EXPECT_THAT(refusal([&] { fluid->set_viscosity(viscosity); }),
                 AllOf(HasSubstr("viscosity of node 17"), HasSubstr("> 0")));
+    EXPECT_THAT(refusal([&] {
+                  fluid->set_viscosity(Nodes{3, 17, 2}, Numbers{0.1, bad, 0.1});
+                }),
+                AllOf(HasSubstr("viscosity of node 17"), HasSubstr("> 0")));
   }
   EXPECT_THAT(refusal([&] { fluid->set_viscosity(Numbers(n - 1, 0.1)); }),
               AllOf(HasSubstr("set_viscosity"), HasSubstr("59"), HasSubstr("60")));
+  EXPECT_THAT(refusal([&] {
+                fluid->set_viscosity(Nodes{3, 4}, Numbers{0.1});
+              }),
+              AllOf(HasSubstr("set_viscosity"), HasSubstr("1 values for 2 nodes")));
 }
 
 TEST_P(FluidBorder, refuses_arrays_of_the_wrong_size) {
@@ -129,6 +139,7 @@ TEST_P(FluidBorder, refuses_nodes_outside_the_box) {
     EXPECT_THAT(refusal([&] { fluid->velocity(nodes, three); }), says);
     EXPECT_THAT(refusal([&] { fluid->free_velocity(nodes, three, one); }), says);
     EXPECT_THAT(refusal([&] { fluid->add_force(nodes, three); }), says);
+    EXPECT_THAT(refusal([&] { fluid->set_viscosity(nodes, Numbers{0.1}); }), says);
   }
 }
 

@@ -76,6 +76,15 @@ TEST(UnitsSi, ThereAndBack) {
   expect_near(back.density_kg_per_m3, 1050.0);
 }
 
+TEST(UnitsSi, TheInnerViscosity) {
+  const auto the_case = parse(si_case, {"si.inner_viscosity_Pa_s=6e-3"});
+  for (const auto& capsule : the_case.capsules) expect_near(capsule.viscosity_ratio, 5.0);
+  EXPECT_EQ(the_case.flow.viscosity_ratio, 1.0);
+  expect_near(there_and_back(the_case).inner_viscosity_Pa_s, 6e-3);
+  EXPECT_FALSE(there_and_back(parse(si_case)).inner_viscosity_Pa_s.has_value());
+  EXPECT_FALSE(has_contrast(parse(si_case, {"si.inner_viscosity_Pa_s=1.2e-3"})));
+}
+
 TEST(UnitsSi, AnotherReynoldsNumberIsAnotherDensityAndNothingElse) {
   for (const std::string key : {"flow.reynolds_number=0.14", "flow.wall_speed=0.01"}) {
     const auto the_case = parse(si_case, {key});

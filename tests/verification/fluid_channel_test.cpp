@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
-#include <optional>
 
 #include "tests/unit/fluid_support.hpp"
 
@@ -169,40 +168,6 @@ std::vector<Channel> channels() {
   return channels;
 }
 INSTANTIATE_TEST_SUITE_P(every, FluidChannel, testing::ValuesIn(channels()));
-
-// Two layers of unlike viscosity between moving walls: the same stress nu du/ds in both, so the velocity is
-// linear in each, with the kink half-way between the nodes at which the viscosity changes. The method has
-// this solution exactly for any Lambda: across the kink, f_i = w_i (3 c.u - 3 tau+ c_s c.u') on both sides
-// streams into itself.
-TEST(FluidTwoLayers, couette_flow_is_exact) {
-  const double low_viscosity = 1.0 / 30.0, high_viscosity = 1.0 / 6.0;
-  const int n_low = 4;
-  for (const int axis : {0, 1, 2}) {
-    for (const std::optional<double> magic_parameter : {std::optional(3.0 / 16.0), std::optional<double>()}) {
-      LatticeBoltzmannSettings settings;
-      settings.shape = channel(axis, height);
-      settings.walls = moving_walls(axis);
-      settings.magic_parameter = magic_parameter;
-      settings.threads = 1;
-      const auto fluid = make_lattice_boltzmann(settings);
-      Numbers viscosity(settings.shape.size());
-      for_each_node(settings.shape, [&](int x, int y, int z, std::int64_t node) {
-        viscosity[node] = std::array{x, y, z}[axis] < n_low ? low_viscosity : high_viscosity;
-      });
-      fluid->set_viscosity(viscosity);
-      steps(*fluid, steps_to_steady_state(low_viscosity));
-
-      const auto exact = [&](double s) {
-        // Share of the velocity difference reached at s: resistances s/nu in series.
-        const double all = n_low / low_viscosity + (height - n_low) / high_viscosity;
-        const double share =
-            (s < n_low ? s / low_viscosity : n_low / low_viscosity + (s - n_low) / high_viscosity) / all;
-        return couette(*settings.walls)(height * share);
-      };
-      EXPECT_LT(largest_error(*fluid, axis, exact), rounding(low_viscosity) * 0.05) << "axis " << axis;
-    }
-  }
-}
 
 }  // namespace
 }  // namespace tanktread::fluid::test
