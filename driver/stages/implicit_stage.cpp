@@ -7,6 +7,7 @@
 #include "driver/packets/packet_files.hpp"
 #include "driver/program/memory.hpp"
 #include "driver/program/output_file.hpp"
+#include "driver/stages/mesh_inputs.hpp"
 #include "driver/stages/stage_errors.hpp"
 #include "driver/stages/stages.hpp"
 #include "driver/system/components.hpp"
@@ -61,7 +62,7 @@ NodeVectors explicit_forces_of(const exchange::SurfacePacket& file, const Surfac
 
 void run(const ImplicitStage& stage) {
   std::vector<NamedFile> inputs = {{"--in", stage.in}, {"--grid", stage.grid}};
-  for (const auto& capsule : stage.the_case.capsules) inputs.push_back({"mesh.file", capsule.mesh.file});
+  add_mesh_files(stage.the_case, inputs);
   check_output({"--out", stage.out}, surface_output(), inputs);
   const auto& box = stage.the_case.flow.box;
   // Velocity, mobility and the marks of the nodes, and their copy in the file.

@@ -1,5 +1,6 @@
 #include "driver/packets/packet_files.hpp"
 #include "driver/program/output_file.hpp"
+#include "driver/stages/mesh_inputs.hpp"
 #include "driver/stages/stage_errors.hpp"
 #include "driver/stages/stages.hpp"
 #include "driver/stages/state_case.hpp"
@@ -59,7 +60,7 @@ void write_start(const MembraneStage& stage, const std::vector<CapsuleMembrane>&
 
 std::vector<NamedFile> inputs_of(const MembraneStage& stage) {
   std::vector<NamedFile> inputs = {{"--in", stage.in}};  // a state may be carried on in its place
-  for (const auto& capsule : stage.the_case.capsules) inputs.push_back({"mesh.file", capsule.mesh.file});
+  add_mesh_files(stage.the_case, inputs);
   return inputs;
 }
 

@@ -1,7 +1,5 @@
 #include "driver/system/inside_fluid.hpp"
 
-#include <algorithm>
-
 #include "driver/system/components.hpp"
 #include "driver/system/node_spans.hpp"
 

@@ -182,6 +182,21 @@ TEST(ImplicitSystem, StopsWhereTheEquationsAreNotSolved) {
   }
 }
 
+// At once, and not after all the iterations that a case allows.
+TEST(ImplicitSystem, AFreeVelocityThatIsNoNumberIsRefused) {
+  auto system = make(implicit_case({"coupler.implicit_iterations=1000000"}));
+  const auto nodes = system.coupler->grid_node_list();
+  GridVectors free{nodes, std::vector<double>(3 * nodes->size()), std::vector<double>(nodes->size(), 0.5)};
+  free.values[free.values.size() / 2] = std::numeric_limits<double>::quiet_NaN();
+  auto force = zero_like(system.node_force);
+  try {
+    add_implicit_forces(system.membranes, *system.coupler, system.corrections, free, system.implicit, force);
+    FAIL() << "taken";
+  } catch (const NotConverged& error) {
+    EXPECT_THAT(error.what(), HasSubstr("are not finite"));
+  }
+}
+
 TEST(ImplicitSystem, NodesWithoutAFreeVelocityAreNamed) {
   auto system = make(implicit_case());
   auto free = free_velocity(*system.fluid, system.coupler->grid_node_list());
