@@ -10,6 +10,7 @@
 #include "driver/system/components.hpp"
 #include "driver/units/laws.hpp"
 #include "tests/unit/case_samples.hpp"
+#include "tests/unit/echo_lines.hpp"
 
 namespace {
 
@@ -171,25 +172,6 @@ TEST(CaseImplicit, RatesAreWhereTheCaseSays) {
               where == "nodes" ? meshes[0].points.cols() : meshes[0].triangles.cols());
   }
   EXPECT_EQ(parse(least_case, {viscous("")}).capsules[0].membrane.viscous.strain_rates, "elements");
-}
-
-std::string echo_of(const Case& the_case) {
-  const auto p = parameters(the_case);
-  const Placement placement(the_case, reference_meshes(the_case));
-  return echo(the_case, p, {}, warnings(the_case, p, {}, placement), {});
-}
-
-/// The line of a name, its spaces drawn together, or "".
-std::string line_of(const std::string& text, const std::string& name) {
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    if (!line.starts_with("  " + name + "  ")) continue;
-    std::istringstream words(line);
-    std::string together;
-    for (std::string word; words >> word;) together += (together.empty() ? "" : " ") + word;
-    return together;
-  }
-  return "";
 }
 
 TEST(CaseImplicit, TheEchoSaysHowItIsSolvedAndThatThereIsNoSpring) {

@@ -9,6 +9,7 @@
 #include "driver/plan/warnings.hpp"
 #include "driver/system/components.hpp"
 #include "tests/unit/case_samples.hpp"
+#include "tests/unit/echo_lines.hpp"
 
 namespace {
 
@@ -17,25 +18,6 @@ using namespace tanktread::testing;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-std::string echo_of(const Case& the_case, const Cost& cost = {}, const std::vector<double>& mean_edges = {}) {
-  const auto p = parameters(the_case);
-  const Placement placement(the_case, reference_meshes(the_case));
-  return echo(the_case, p, cost, warnings(the_case, p, mean_edges, placement), mean_edges);
-}
-
-/// The line of a name, its spaces drawn together, or "".
-std::string line_of(const std::string& text, const std::string& name) {
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    if (!line.starts_with("  " + name + "  ")) continue;
-    std::istringstream words(line);
-    std::string together;
-    for (std::string word; words >> word;) together += (together.empty() ? "" : " ") + word;
-    return together;
-  }
-  return "";
-}
 
 Cost sample_cost() {
   Cost cost;

@@ -1,0 +1,36 @@
+// The echo of a case, and one of its lines, for tests.
+#pragma once
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "driver/plan/cost.hpp"
+#include "driver/plan/echo.hpp"
+#include "driver/plan/warnings.hpp"
+#include "driver/system/components.hpp"
+#include "driver/system/placement.hpp"
+
+namespace tanktread::driver {
+
+inline std::string echo_of(const Case& the_case, const Cost& cost = {},
+                           const std::vector<double>& mean_edges = {}) {
+  const auto p = parameters(the_case);
+  const Placement placement(the_case, reference_meshes(the_case));
+  return echo(the_case, p, cost, warnings(the_case, p, mean_edges, placement), mean_edges);
+}
+
+/// The line of a name, its spaces drawn together, or "".
+inline std::string line_of(const std::string& text, const std::string& name) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("  " + name + "  ")) continue;
+    std::istringstream words(line);
+    std::string together;
+    for (std::string word; words >> word;) together += (together.empty() ? "" : " ") + word;
+    return together;
+  }
+  return "";
+}
+
+}  // namespace tanktread::driver
