@@ -44,6 +44,7 @@ tanktread_python_test(post_series)
 tanktread_python_test(post_study)
 tanktread_python_test(post_surface_files)
 tanktread_python_test(post_surface_text_files)
+tanktread_python_test(post_viscosity_contrast)
 tanktread_python_test(post_viscous_capsule)
 tanktread_python_test(waiting_threads ARGUMENTS $<TARGET_FILE:tanktread>)
 
