@@ -20,7 +20,7 @@ QUANTITIES = ("deformation", "inclination_deg", "length", "width", "breadth", "v
 PARAMETERS = ("elastic_law", "capillary_number", "capillary_modulus", "kernel", "radius", "box", "mesh", "shear_rate_by")
 COST = ("mlups", "fluid_percent", "coupler_percent", "membrane_percent")
 VISCOUS = ("scheme", "boussinesq_shear", "boussinesq_dilatational", "spring", "interval", "strain_sampling")
-SWITCHES = ("tangential_correction", "inertia", "keep_volume")  # true, or nothing; inertia: false, or nothing
+SWITCHES = ("tangential_correction", "inertia", "keep_volume", "viscosity_ratio")  # true, or nothing; inertia: false, or nothing; a number, or nothing where it is 1
 COLUMNS = ("run", *PARAMETERS, "shear_time", *QUANTITIES, *COST, *VISCOUS, *SWITCHES)
 OWN = ("results.csv", "means.csv")  # what is written here for any case
 MEANS = ("run", "from", "to", *QUANTITIES, "highest_deformation", "highest_at")  # means, but for the last two: over the whole run
@@ -57,11 +57,13 @@ def viscous_parameters(echo):
 
 def switches(echo):
     """What a run has on or off, as text where it is not as in most."""
-    coupler = echo["coupler"]
+    coupler, flow = echo["coupler"], echo["flow"]
+    ratio = echo["capsule"][0].get("viscosity_ratio", flow.get("viscosity_ratio", 1))
     return {
         "tangential_correction": "true" if coupler.get("tangential_correction") else "",
-        "inertia": "" if echo["flow"].get("inertia", True) else "false",
+        "inertia": "" if flow.get("inertia", True) else "false",
         "keep_volume": "true" if coupler.get("keep_volume") else "",
+        "viscosity_ratio": "" if ratio == 1 else f"{ratio:g}",
     }
 
 

@@ -60,12 +60,13 @@ class Measured(InFolder):
 
     def test_a_corrected_coupler_shows(self):
         self.add("plain", 0.04)
-        write_run(self.folder / "corrected", deformation=0.05, corrected=True, inertia=False)
+        write_run(self.folder / "corrected", deformation=0.05, corrected=True, inertia=False, viscosity_ratio=5.0)
         file = measured.add(self.folder / "case", self.folder / "corrected", "corrected", (3.0,), "cases/run case corrected")
         rows = {row["run"]: row for row in reference.read_table(file)}
         self.assertEqual([rows[run]["tangential_correction"] for run in ("plain", "corrected")], ["", "true"])
         self.assertEqual([rows[run]["inertia"] for run in ("plain", "corrected")], ["", "false"])
         self.assertEqual({rows[run]["keep_volume"] for run in ("plain", "corrected")}, {""})
+        self.assertEqual([rows[run]["viscosity_ratio"] for run in ("plain", "corrected")], ["", "5"])
 
     def test_a_file_with_fewer_columns_is_filled_up(self):
         file = self.add("old", 0.04)
