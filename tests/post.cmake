@@ -16,6 +16,7 @@ function(tanktread_python_test name)
   set_tests_properties(python.${name} PROPERTIES TIMEOUT 600 ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1;OMP_NUM_THREADS=1")
 endfunction()
 
+tanktread_python_test(cases_capsule_contrast)
 tanktread_python_test(cases_cost_of_accuracy)
 tanktread_python_test(cases_drop_contrast)
 tanktread_python_test(cases_large_deformation)
