@@ -17,6 +17,7 @@ function(tanktread_python_test name)
 endfunction()
 
 tanktread_python_test(cases_capsule_contrast)
+tanktread_python_test(cases_chapter_4)
 tanktread_python_test(cases_cost_of_accuracy)
 tanktread_python_test(cases_drop_contrast)
 tanktread_python_test(cases_large_deformation)

@@ -1,4 +1,4 @@
-"""Reading observables.csv: one capsule's quantities against shear time."""
+"""Reading observables.csv and the other tables of a run against shear time: one capsule's quantities, or those of the whole run."""
 
 import csv
 import pathlib
@@ -13,10 +13,11 @@ class InputError(Exception):
 
 
 class Observables:
-    """The columns of observables.csv for one capsule, as arrays of numbers."""
+    """The columns of observables.csv (or of another `table` of the run) for one capsule, as arrays of numbers; capsule None: of a table that has
+    no column `capsule`."""
 
-    def __init__(self, directory, capsule=0):
-        self.file = pathlib.Path(directory) / "observables.csv"
+    def __init__(self, directory, capsule=0, table="observables.csv"):
+        self.file = pathlib.Path(directory) / table
         if not self.file.is_file():
             raise InputError(f"{self.file}: there is no such file; is {directory} the output of a run?")
         try:
@@ -25,7 +26,7 @@ class Observables:
         except (ValueError, csv.Error) as error:
             raise InputError(f"{self.file}: {error}; it is damaged") from error
         if not rows:
-            raise InputError(f"{self.file}: it has no rows of capsule {capsule}")
+            raise InputError(f"{self.file}: it has no rows" + ("" if capsule is None else f" of capsule {capsule}"))
 
     def _read(self, capsule):
         """The names of the columns, and the rows of a capsule."""
@@ -33,13 +34,14 @@ class Observables:
         whole = self.file.read_text().rpartition("\n")[0]
         reader = csv.DictReader(whole.splitlines())
         names = reader.fieldnames or []
-        if "shear_time" not in names or "capsule" not in names:
-            raise InputError(f"{self.file}: its first line does not name the columns shear_time and capsule")
+        needed = ["shear_time"] if capsule is None else ["shear_time", "capsule"]
+        if not set(needed) <= set(names):
+            raise InputError(f"{self.file}: its first line does not name the column{'s'[: len(needed) - 1]} {' and '.join(needed)}")
         rows = list(reader)
         for number, row in enumerate(rows, 2):
             if None in row or None in row.values():
                 raise ValueError(f"line {number} has not {len(names)} numbers")
-        return names, [row for row in rows if int(row["capsule"]) == capsule]
+        return names, [row for row in rows if capsule is None or int(row["capsule"]) == capsule]
 
     def __getitem__(self, name):
         if name not in self.columns:

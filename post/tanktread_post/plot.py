@@ -24,12 +24,26 @@ LINES = ("solid", "dashed", "dotted", "dashdot")  # when the colours have run ou
 def new_axes(x_label, y_label):
     """A figure with one pair of axes, in the form that all plots have."""
     figure, axes = pyplot.subplots(figsize=(7.2, 4.5), layout="constrained")
+    _style(axes, x_label, y_label)
+    return figure, axes
+
+
+def new_panels(x_labels, y_labels):
+    """A figure with a row of axes for each label of y and a column for each of x, (figure, array of axes), in the form that all plots have."""
+    n_rows, n_columns = len(y_labels), len(x_labels)
+    figure, panels = pyplot.subplots(n_rows, n_columns, figsize=(5.4 * n_columns, 3.6 * n_rows), layout="constrained", squeeze=False)
+    for row, y_label in zip(panels, y_labels):
+        for axes, x_label in zip(row, x_labels):
+            _style(axes, x_label, y_label)
+    return figure, panels
+
+
+def _style(axes, x_label, y_label):
     axes.set_xlabel(x_label)
     axes.set_ylabel(y_label)
     axes.grid(alpha=0.25, linewidth=0.8)
     axes.spines[["top", "right"]].set_visible(False)
     axes.tick_params(length=3)
-    return figure, axes
 
 
 def save(figure, file):
