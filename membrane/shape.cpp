@@ -42,6 +42,30 @@ VolumeMoments volume_moments(const Eigen::Ref<const Eigen::Matrix3Xd>& points,
   return moments;
 }
 
+Eigen::Vector3d centroid_velocity(const VolumeMoments& moments,
+                                  const Eigen::Ref<const Eigen::Matrix3Xd>& points,
+                                  const Eigen::Ref<const Eigen::Matrix3Xi>& triangles,
+                                  const Eigen::Ref<const Eigen::Matrix3Xd>& velocity) {
+  Eigen::Vector3d integral = Eigen::Vector3d::Zero();
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+    const Eigen::Matrix3d corners = corners_of(points, triangles.col(t)).colwise() - moments.centroid;
+    // v . n times the area, at the corners. Two linear functions f and g have the integral
+    // A/12 (sum f sum g + sum f g) over a triangle.
+    const Eigen::Vector3d flux =
+        0.5 * corners_of(velocity, triangles.col(t)).transpose() * area_normal(corners);
+    integral += (corners.rowwise().sum() * flux.sum() + corners * flux) / 12;
+  }
+  return integral / moments.volume;
+}
+
+Eigen::Index nearest_node(const Eigen::Ref<const Eigen::Matrix3Xd>& points, const Eigen::Vector3d& place) {
+  const auto distance = [&](Eigen::Index node) { return (points.col(node) - place).squaredNorm(); };
+  Eigen::Index nearest = 0;
+  for (Eigen::Index node = 1; node < points.cols(); ++node)
+    if (distance(node) < distance(nearest)) nearest = node;
+  return nearest;
+}
+
 double surface_area(const Eigen::Ref<const Eigen::Matrix3Xd>& points,
                     const Eigen::Ref<const Eigen::Matrix3Xi>& triangles) {
   double area = 0;

@@ -18,6 +18,19 @@ struct VolumeMoments {
 VolumeMoments volume_moments(const Eigen::Ref<const Eigen::Matrix3Xd>& points,
                              const Eigen::Ref<const Eigen::Matrix3Xi>& triangles);
 
+/// Velocity of the centroid of the enclosed volume while the nodes move: the integral of (x - centroid)(v .
+/// n) over the surface, by the volume; exact for flat triangles and velocities that are linear in them. Of a
+/// rigid motion it is that of the point of the body.
+/// @param moments of these points and triangles
+/// @param velocity v of the nodes, 3 x n_nodes
+Eigen::Vector3d centroid_velocity(const VolumeMoments& moments,
+                                  const Eigen::Ref<const Eigen::Matrix3Xd>& points,
+                                  const Eigen::Ref<const Eigen::Matrix3Xi>& triangles,
+                                  const Eigen::Ref<const Eigen::Matrix3Xd>& velocity);
+
+/// The node nearest to a place; of several the one of the lowest number. @param points at least one
+Eigen::Index nearest_node(const Eigen::Ref<const Eigen::Matrix3Xd>& points, const Eigen::Vector3d& place);
+
 /// Sum of the areas of the triangles, in the square of the points' unit.
 /// @param points 3 x n_nodes
 /// @param triangles 3 x n_triangles; open or closed, wound either way

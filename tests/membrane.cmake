@@ -24,3 +24,5 @@ tanktread_test(membrane_strain_rates_test SOURCES unit/membrane_strain_rates_tes
   LIBRARIES membrane_test_support)
 tanktread_test(membrane_implicit_viscosity_test SOURCES unit/membrane_implicit_viscosity_test.cpp
   LIBRARIES membrane_test_support)
+tanktread_test(membrane_contour_test SOURCES unit/membrane_contour_test.cpp verification/membrane_contour_order_test.cpp
+  LIBRARIES membrane_test_support)

@@ -112,7 +112,9 @@ struct RunCase {
 };
 
 struct OutputCase {
-  double observables_every = 0.02;  ///< shear times, all three; 0: never
+  double observables_every = 0.02;  ///< shear times, all five; 0: never
+  double measures_every = 0;
+  double energy_every = 0;
   double membrane_every = 0.25;
   double fluid_every = 1.0;
   /// First and last node (both included) along x, y, z that fluid output covers; none: the whole box.

@@ -76,6 +76,11 @@ std::vector<Key> coupler_run_output_keys() {
                                                         "between rows of observables.csv; 0: never")
           .from(0)
           .free_on_resume(),
+      key<InCase<&Case::output, &O::measures_every>>(
+          "output.measures_every", "shear times",
+          "between rows of measures.csv (contour, its speed, extent, marker); 0: never")
+          .from(0)
+          .free_on_resume(),
       key<InCase<&Case::output, &O::membrane_every>>("output.membrane_every", "shear times",
                                                      "between membrane files; 0: never")
           .from(0)

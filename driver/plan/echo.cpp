@@ -107,6 +107,8 @@ void put_run(EchoTable& table, const Subject& subject) {
             fmt::format("to shear time {:.6g}", the_case.run.shear_time));
   put_step(table, subject);
   put_schedule(table, subject, "observables", the_case.output.observables_every);
+  if (the_case.output.measures_every > 0)
+    put_schedule(table, subject, "measures", the_case.output.measures_every);
   put_schedule(table, subject, "membrane files", the_case.output.membrane_every);
   put_schedule(table, subject, "fluid files", the_case.output.fluid_every);
   put_schedule(table, subject, "checkpoints", the_case.run.checkpoint_every);

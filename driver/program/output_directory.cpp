@@ -22,9 +22,10 @@ constexpr const char* lock_name = ".lock";
 
 /// What a run writes, and what is drawn of it. echo.toml last: until it goes, the directory is known for what
 /// it is.
-constexpr std::array names_of_run = {"checkpoints", "packets",         "fluid",           "fluid.pvd",
-                                     "membrane",    "membrane.pvd",    "deformation.png", "inclination.png",
-                                     "capsule.png", "observables.csv", "parameters.toml", "echo.toml"};
+constexpr std::array names_of_run = {
+    "checkpoints",  "packets",         "fluid",           "fluid.pvd",   "membrane",
+    "membrane.pvd", "deformation.png", "inclination.png", "capsule.png", "observables.csv",
+    "measures.csv", "energy.csv",      "parameters.toml", "echo.toml"};
 
 /// What a process leaves that was killed before its first file was there counts as nothing.
 bool holds_anything(const std::filesystem::path& directory) {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "driver/program/errors.hpp"
-#include "driver/run/row_count.hpp"
+#include "driver/run/row_counts.hpp"
 
 namespace tanktread::driver {
 namespace {
@@ -73,12 +73,12 @@ void replace(const fs::path& folder, const fs::path& temporary) {
 
 }  // namespace
 
-void write_checkpoint(const System& system, const Case& the_case, std::int64_t n_rows,
+void write_checkpoint(const System& system, const Case& the_case, const RowCounts& counts,
                       const fs::path& directory) {
   const auto folder = folder_of(directory, in_use, system.step);
   const auto temporary = place_of(directory) / fmt::format(".step_{:010}.tmp", system.step);
   write_state(temporary, system, the_case);
-  write_row_count(temporary / row_count_file, n_rows);
+  write_row_counts(temporary / row_counts_file, counts);
   replace(folder, temporary);
   remove_old_checkpoints(directory);
   for (const auto& aside : folders_named(directory, set_aside)) {
@@ -124,7 +124,7 @@ std::vector<fs::path> other_checkpoints(const fs::path& directory, const fs::pat
 }
 
 Checkpoint read_checkpoint(const fs::path& folder) {
-  Checkpoint checkpoint{read_state(folder), read_row_count(folder / row_count_file)};
+  Checkpoint checkpoint{read_state(folder), read_row_counts(folder / row_counts_file)};
   return checkpoint;
 }
 

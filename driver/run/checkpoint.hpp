@@ -6,17 +6,18 @@
 #include <optional>
 #include <vector>
 
+#include "driver/run/row_counts.hpp"
 #include "driver/system/state_folder.hpp"
 
 namespace tanktread::driver {
 
 /// Writes DIR/checkpoints/step_NNNNNNNNNN (under a temporary name, then renamed; in the place of one of that
 /// step, which may be damaged or of another case) and removes all but the last two, and of those set aside
-/// the ones that it replaces: of its step and before. Each is a state folder (write_state) with the count
+/// the ones that it replaces: of its step and before. Each is a state folder (write_state) with the counts
 /// of rows.
-/// @param n_rows of observables.csv so far (write_row_count)
+/// @param counts of the rows of the tables so far
 /// @throws exchange::FileError
-void write_checkpoint(const System& system, const Case& the_case, std::int64_t n_rows,
+void write_checkpoint(const System& system, const Case& the_case, const RowCounts& counts,
                       const std::filesystem::path& directory);
 
 /// Removes all checkpoints of DIR but the last two: more are there if a process was killed before it had
@@ -38,7 +39,7 @@ std::vector<std::filesystem::path> other_checkpoints(const std::filesystem::path
 /// What a checkpoint holds.
 struct Checkpoint {
   SavedState state;
-  std::optional<std::int64_t> n_rows;  ///< of observables.csv; none: of an earlier version
+  std::optional<RowCounts> counts;  ///< of rows; none: of an earlier version
 };
 
 /// @throws exchange::FileError if it is damaged

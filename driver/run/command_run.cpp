@@ -92,7 +92,8 @@ void add_run_command(CLI::App& app, int& exit_code) {
           ->needs(resume);
   command
       ->add_flag("--accept-gaps", arguments->accept_gaps,
-                 "With --resume: go on though observables.csv lacks rows that were written before the "
+                 "With --resume: go on though observables.csv or another table lacks rows that were written "
+                 "before the "
                  "checkpoint")
       ->needs(resume);
   add_packet_options(*command, arguments->packets);

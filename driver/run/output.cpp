@@ -6,56 +6,34 @@
 #include <iterator>
 
 #include "driver/packets/fluid_files.hpp"
-#include "driver/run/observables_table.hpp"
+#include "driver/run/measures.hpp"
 #include "driver/system/membrane_files.hpp"
 #include "driver/units/laws.hpp"
-#include "exchange/atomic_file.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
 namespace {
 
-/// Whether a row of this step was due up to the point. What only the end of a run wrote, off the schedule, is
-/// of the point's own step.
-bool was_due(std::int64_t step, const ResumePoint& point) {
-  return step < point.step || (step == point.step && point.schedules.observables.due(step));
+/// A table as it was at the point. @param counted of the table, of the counts at the point
+TablePoint table_point(const ResumePoint& point, const Schedule& schedule, std::int64_t RowCounts::*counted) {
+  TablePoint result{point.step, schedule, {}, point.accept_gaps};
+  if (point.counts) result.n_rows = *point.counts.*counted;
+  return result;
 }
 
-/// A table that is not there may be begun anew.
-bool may_be_begun(const std::filesystem::path& table, const ResumePoint& point) {
-  if (std::filesystem::exists(table)) return false;
-  const bool had_none = point.n_rows ? *point.n_rows == 0 : point.schedules.observables.interval == 0;
-  return had_none || point.accept_gaps;
+TablePoint observables_point(const ResumePoint& point) {
+  return table_point(point, point.schedules.observables, &RowCounts::observables);
 }
 
-/// @throws exchange::FileError if rows are missing
-void check_rows(const std::filesystem::path& table, const std::string& header, const ResumePoint& point) {
-  if (may_be_begun(table, point)) return;
-  auto rows = read_observables(table, header);
-  std::erase_if(rows, [&](const TableRow& row) { return !was_due(row.step, point); });
-  const auto n_there = static_cast<std::int64_t>(rows.size());
-  const auto last = rows.empty() ? -1 : rows.back().step;
-  const auto interval = point.schedules.observables.interval;
-  const bool is_whole =
-      point.n_rows ? n_there >= *point.n_rows : interval == 0 || last >= point.step - point.step % interval;
-  if (is_whole || point.accept_gaps) return;
-  throw exchange::FileError(
-      fmt::format("{}: holds {}{} rows of those up to step {}{}; put the table back as the run wrote it",
-                  table.string(), n_there, point.n_rows ? fmt::format(" of {}", *point.n_rows) : "",
-                  point.step, last < 0 ? "" : fmt::format(", the last of step {}", last)));
+TablePoint measures_point(const ResumePoint& point) {
+  return table_point(point, point.schedules.measures, &RowCounts::measures);
 }
 
-/// Cuts a table back to the point. @return how many rows it then has
-std::int64_t cut_table(const std::filesystem::path& table, const std::string& header,
-                       const ResumePoint& point, const Schedule& now) {
-  std::vector<TableRow> rows;
-  if (!may_be_begun(table, point)) rows = read_observables(table, header);
-  // All before the point stays, whatever the schedule has become: nothing that was asked for is lost.
-  std::erase_if(rows, [&](const TableRow& row) {
-    return !was_due(row.step, point) && !(row.step == point.step && now.due(row.step));
-  });
-  write_observables(table, header, rows);
-  return static_cast<std::int64_t>(rows.size());
+template <class Row>
+std::vector<std::string> texts_of(const std::vector<Row>& rows, std::string (*text_of)(const Row&)) {
+  std::vector<std::string> texts;
+  for (const auto& row : rows) texts.push_back(text_of(row));
+  return texts;
 }
 
 /// Tells of a series what is wrong with it. @throws exchange::FileError if it cannot be made anew
@@ -68,28 +46,35 @@ void say_remark(const OutputSeries& series, std::int64_t step, const std::vector
 }  // namespace
 
 OutputSchedules output_schedules(const Case& the_case, const FlowParameters& parameters) {
-  return {schedule_of(the_case.output.observables_every, parameters),
-          schedule_of(the_case.output.membrane_every, parameters),
-          schedule_of(the_case.output.fluid_every, parameters)};
+  const auto& every = the_case.output;
+  return {schedule_of(every.observables_every, parameters), schedule_of(every.measures_every, parameters),
+          schedule_of(every.membrane_every, parameters), schedule_of(every.fluid_every, parameters)};
 }
 
 Output::Output(const Case& the_case, const Parameters& parameters, std::filesystem::path directory)
+    : Output(the_case, parameters, std::move(directory), output_schedules(the_case, parameters)) {}
+
+Output::Output(const Case& the_case, const Parameters& parameters, std::filesystem::path directory,
+               const OutputSchedules& schedules)
     : case_(the_case),
-      directory_(std::move(directory)),
-      header_(observables_header(any_implicit(the_case, parameters))),
       shear_rate_(parameters.shear_rate),
-      observables_(schedule_of(the_case.output.observables_every, parameters)),
-      membrane_(directory_, "membrane", "vtu", schedule_of(the_case.output.membrane_every, parameters)),
-      fluid_(directory_, "fluid", "vti", schedule_of(the_case.output.fluid_every, parameters)) {}
+      observables_(directory / "observables.csv", observables_header(any_implicit(the_case, parameters)),
+                   schedules.observables, OutputTable::Never::header_alone),
+      measures_(directory / "measures.csv", measures_header(), schedules.measures,
+                OutputTable::Never::no_file),
+      membrane_(directory, "membrane", "vtu", schedules.membrane),
+      fluid_(directory, "fluid", "vti", schedules.fluid) {}
 
 void Output::begin() {
-  exchange::write_text(directory_ / "observables.csv", header_);
+  observables_.begin();
+  measures_.begin();
   membrane_.begin();
   fluid_.begin();
 }
 
 void Output::check(const ResumePoint& point) const {
-  check_rows(directory_ / "observables.csv", header_, point);
+  observables_.check(observables_point(point));
+  measures_.check(measures_point(point));
   membrane_.remark(point.step, membrane_.steps_kept(point.step, point.schedules.membrane));
   fluid_.remark(point.step, fluid_.steps_kept(point.step, point.schedules.fluid));
 }
@@ -101,7 +86,8 @@ void Output::resume(const ResumePoint& point) {
   say_remark(fluid_, point.step, fluid);
   std::vector<std::int64_t> times;
   std::ranges::set_union(membrane, fluid, std::back_inserter(times));
-  n_rows_ = cut_table(directory_ / "observables.csv", header_, point, observables_);
+  observables_.resume(observables_point(point));
+  measures_.resume(measures_point(point));
   membrane_.cut(membrane, times, shear_rate_);
   fluid_.cut(fluid, times, shear_rate_);
 }
@@ -112,13 +98,12 @@ std::vector<Observation> Output::write(const System& system, bool last) {
   if (has_membrane || has_fluid) membrane_.show(system.shear_time());
   if (has_fluid) write_fluid(system);
   if (has_membrane || has_fluid) fluid_.show(system.shear_time());
-  // The table last: a row of the end of the run says that all is there.
-  if (!observables_.due(system.step) && !(last && observables_.interval > 0)) return {};
+  if (measures_.due(system.step, last))
+    measures_.add(system.step, texts_of(measure(system, case_), measures_row));
+  // This table last: a row of the end of the run says that all is there.
+  if (!observables_.due(system.step, last)) return {};
   const auto observations = observe(system, case_);
-  std::string rows;
-  for (const auto& observation : observations) rows += observables_row(observation);
-  exchange::append_text(directory_ / "observables.csv", rows);
-  if (observables_.due(system.step)) n_rows_ += static_cast<std::int64_t>(observations.size());
+  observables_.add(system.step, texts_of(observations, observables_row));
   return observations;
 }
 

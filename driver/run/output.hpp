@@ -1,4 +1,4 @@
-// The output directory of a run: observables.csv, membrane.pvd, fluid.pvd and their files.
+// The output directory of a run: observables.csv, measures.csv, membrane.pvd, fluid.pvd and their files.
 #pragma once
 
 #include <cstdint>
@@ -7,23 +7,24 @@
 
 #include "driver/run/observables.hpp"
 #include "driver/run/output_series.hpp"
+#include "driver/run/output_table.hpp"
+#include "driver/run/row_counts.hpp"
 #include "driver/system/system.hpp"
 
 namespace tanktread::driver {
 
 /// When each kind of output is due.
 struct OutputSchedules {
-  Schedule observables, membrane, fluid;
+  Schedule observables, measures, membrane, fluid;
 };
 OutputSchedules output_schedules(const Case& the_case, const FlowParameters& parameters);
 
 /// The state that a run goes on from, as far as its output is concerned.
 struct ResumePoint {
   std::int64_t step = 0;
-  OutputSchedules schedules;  ///< of the run that wrote the state
-  std::optional<std::int64_t>
-      n_rows;                ///< of the table, due up to there; none: not known, told by the schedule
-  bool accept_gaps = false;  ///< rows may be missing
+  OutputSchedules schedules;        ///< of the run that wrote the state
+  std::optional<RowCounts> counts;  ///< due up to there; none: not known, told by the schedules
+  bool accept_gaps = false;         ///< rows may be missing
 };
 
 /// Writes what is due, when it is due. Files of a series are named by their step. Both series have an entry
@@ -35,8 +36,8 @@ class Output {
   /// Starts new tables and series.
   void begin();
 
-  /// Whether the run can go on with its table and series from the point. Writes nothing.
-  /// @throws exchange::FileError if the table cannot be read or lacks rows, or a series names what is not of
+  /// Whether the run can go on with its tables and series from the point. Writes nothing.
+  /// @throws exchange::FileError if a table cannot be read or lacks rows, or a series names what is not of
   /// this run
   void check(const ResumePoint& point) const;
 
@@ -45,23 +46,22 @@ class Output {
   /// @throws exchange::FileError
   void resume(const ResumePoint& point);
 
-  /// The rows of the table that were due so far.
-  std::int64_t n_rows() const { return n_rows_; }
+  /// The rows of the tables that were due so far.
+  RowCounts row_counts() const { return {observables_.n_rows(), measures_.n_rows()}; }
 
   /// Writes all that is due at this step; with `last`, the state at the end of the run too.
   /// @return the observations if they were due, else none
   std::vector<Observation> write(const System& system, bool last);
 
  private:
+  Output(const Case& the_case, const Parameters& parameters, std::filesystem::path directory,
+         const OutputSchedules& schedules);
   void write_membrane(const System& system);
   void write_fluid(const System& system);
 
   const Case& case_;
-  std::filesystem::path directory_;
-  std::string header_;  ///< of the table
   double shear_rate_;
-  Schedule observables_;
-  std::int64_t n_rows_ = 0;
+  OutputTable observables_, measures_;
   OutputSeries membrane_, fluid_;
 };
 

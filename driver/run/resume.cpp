@@ -36,7 +36,7 @@ ResumeStart start_at(const fs::path& directory, const fs::path& folder, Checkpoi
   if (start.state.the_case) require_same_case(directory, folder, *start.state.the_case, the_case);
   // The case's own parameters serve for both: the keys that they follow from are the same.
   const auto& made_it = start.state.the_case ? *start.state.the_case : the_case;
-  start.point = {start.state.step, output_schedules(made_it, flow_parameters(the_case)), checkpoint.n_rows,
+  start.point = {start.state.step, output_schedules(made_it, flow_parameters(the_case)), checkpoint.counts,
                  accept_gaps};
   output.check(start.point);
   return start;
@@ -63,7 +63,7 @@ std::string advice_for_damage(const fs::path& directory, const fs::path& folder,
     return fmt::format("go on from the checkpoint of step {0} with --from-step {0}", *other);
   if (const auto other = other_start(directory, folder, the_case, output, true)) {
     return fmt::format(
-        "go on from the checkpoint of step {0}, without rows of observables.csv that are missing, "
+        "go on from the checkpoint of step {0}, without rows of tables that are missing, "
         "with --from-step {0} --accept-gaps",
         *other);
   }

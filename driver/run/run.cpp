@@ -103,7 +103,7 @@ double advance_and_write(System& system, Passage& passage, const Plan& plan, Out
   const double before = progress.seconds();
   progress.observe(output.write(system, system.step == last_step));
   if (checkpoints.due(system.step) || system.step == last_step)
-    write_checkpoint(system, plan.the_case, output.n_rows(), directory);
+    write_checkpoint(system, plan.the_case, output.row_counts(), directory);
   const double files = progress.seconds() - before;
   progress.update(system.step);
   return files;
@@ -122,7 +122,7 @@ int run_on(System& system, Passage& passage, const Plan& plan, Output& output,
     }
     if (system.step > first_step && system.step < last_step) {
       const double before = progress.seconds();
-      write_checkpoint(system, plan.the_case, output.n_rows(), directory);
+      write_checkpoint(system, plan.the_case, output.row_counts(), directory);
       passage.stopped(system);
       files += progress.seconds() - before;
     }
@@ -221,7 +221,7 @@ int run_new(const Plan& plan, const RunOptions& options) {
   Output output(plan.the_case, plan.parameters, options.output);
   output.begin();
   output.write(system, false);
-  write_checkpoint(system, plan.the_case, output.n_rows(), options.output);
+  write_checkpoint(system, plan.the_case, output.row_counts(), options.output);
   const auto passage = make_passage(options.packets, plan, 0, options.output);
   return run_on(system, *passage, plan, output, options.output);
 }

@@ -58,6 +58,7 @@ threads = 2
 checkpoint_every = 0.7
 [output]
 observables_every = 0.01
+measures_every = 0.02
 membrane_every = 0
 fluid_every = 0.3
 fluid_box = [[0, 39], [25, 25], [3, 17]]

@@ -1,4 +1,4 @@
-#include "driver/run/observables_table.hpp"
+#include "driver/run/table_file.hpp"
 
 #include <fmt/format.h>
 
@@ -36,7 +36,7 @@ std::int64_t step_of_row(const std::string& line, const std::string& header) {
 
 }  // namespace
 
-std::vector<TableRow> read_observables(const std::filesystem::path& file, const std::string& header) {
+std::vector<TableRow> read_table(const std::filesystem::path& file, const std::string& header) {
   std::ifstream input(file, std::ios::binary);
   std::string line;
   if (!input || !std::getline(input, line))
@@ -56,8 +56,8 @@ std::vector<TableRow> read_observables(const std::filesystem::path& file, const 
   return rows;
 }
 
-void write_observables(const std::filesystem::path& file, const std::string& header,
-                       const std::vector<TableRow>& rows) {
+void write_table(const std::filesystem::path& file, const std::string& header,
+                 const std::vector<TableRow>& rows) {
   auto text = header;
   for (const auto& row : rows) text += row.text;
   exchange::write_text(file, text);

@@ -1,0 +1,137 @@
+// measures.csv: what is in a row, and that the table goes on with the run.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "driver/run/measures.hpp"
+#include "driver/system/components.hpp"
+#include "tests/integration/resume_fixture.hpp"
+
+namespace {
+
+using namespace tanktread::driver;
+using namespace tanktread::testing;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+namespace fs = std::filesystem;
+
+/// Flow along y, walls across x: the vorticity is along z.
+constexpr const char* turned_case = R"([flow]
+box = [24, 26, 22]
+wall_axis = "x"
+flow_axis = "y"
+wall_speed = 0.012
+[[capsule]]
+radius = 5.0
+position = [12.0, 13.0, 11.0]
+mesh = { level = 3 }
+[membrane]
+capillary_number = 0.3
+)";
+
+/// Its system with the nodes turned about the vorticity axis by an angle, and moving on so at a rate, besides
+/// a drift.
+System turned(const Case& the_case, double angle, double rate) {
+  const auto p = parameters(the_case);
+  auto system = make_system(the_case, p, reference_meshes(the_case));
+  const Eigen::Vector3d centre(12, 13, 11), drift(0.01, -0.02, 0.003), now = centre + 3 * drift;
+  Eigen::Matrix3d rotation = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const Eigen::Matrix3Xd arms = rotation * (system.membranes[0].positions().colwise() - centre);
+  system.membranes[0].set_positions(arms.colwise() + now);
+  for (Eigen::Index node = 0; node < arms.cols(); ++node)
+    system.node_velocity[0].col(node) = drift + rate * Eigen::Vector3d::UnitZ().cross(arms.col(node));
+  return system;
+}
+
+TEST(Measures, OfASphereThatTurns) {
+  const auto the_case = parse_case(turned_case, "turned.toml", "/");
+  const double g = parameters(the_case).shear_rate;
+  for (const double angle : {0.0, 0.3, 2.0}) {
+    const auto row = measure(turned(the_case, angle, -0.5 * g), the_case).at(0);
+    // An icosphere of level 3 leaves out up to 1 - cos(edge/2) of the radius, 0.006 with edges of 0.15 to
+    // 0.16 of it; less along a contour.
+    EXPECT_NEAR(row.circumference, 1, 0.006);
+    EXPECT_LT(row.circumference, 1);
+    EXPECT_NEAR(row.membrane_speed, 0.5, 0.003);
+    EXPECT_NEAR(row.vorticity_extent, 1, 0.006);
+    // The node nearest to the flow axis turns with the others. An icosphere has nodes on the axes.
+    EXPECT_NEAR(row.marker[0], -std::sin(angle), 1e-12);
+    EXPECT_NEAR(row.marker[1], std::cos(angle), 1e-12);
+    EXPECT_NEAR(row.marker[2], 0, 1e-12);
+  }
+}
+
+class MeasuresTable : public Resume {
+ protected:
+  static constexpr const char* with_measures = "output.measures_every=0.04";
+
+  void run(const std::string& name, const char* shear_time, std::vector<std::string> more = {}) const {
+    more.insert(more.end(), {"--shear-time", shear_time});
+    const auto ended = run_program(run_to(name, more));
+    ASSERT_EQ(ended.exit_code, 0) << ended.output;
+  }
+  std::string table(const std::string& name) const { return read_file(directory_ / name / "measures.csv"); }
+};
+
+TEST_F(MeasuresTable, IsWrittenIfItIsAskedFor) {
+  run("none", "0.1");
+  EXPECT_FALSE(fs::exists(directory_ / "none/measures.csv"));
+  run("all", "0.1", {"--set", with_measures});
+  const auto text = table("all");
+  EXPECT_THAT(text, StartsWith("step,shear_time,capsule,circumference,membrane_speed,vorticity_extent,"
+                               "marker_x,marker_y,marker_z\n0,0,0,"));
+  EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 4) << "steps 0, 24, 48 and the end, 60";
+  // Nothing else is another.
+  for (const char* file :
+       {"observables.csv", "membrane.pvd", "parameters.toml", "checkpoints/step_0000000060/membrane.vtu"})
+    EXPECT_EQ(read_file(directory_ / "none" / file), read_file(directory_ / "all" / file)) << file;
+}
+
+TEST_F(MeasuresTable, ARunGoesOnWithIt) {
+  run("whole", "0.4", {"--set", with_measures});
+  run("half", "0.3", {"--set", with_measures});
+  for (const char* from : {"120", "180"}) {
+    const auto run = copy_of_half("out");
+    const auto ended = resume(run, {"--shear-time", "0.4", "--from-step", from});
+    ASSERT_EQ(ended.exit_code, 0) << ended.output;
+    EXPECT_EQ(table("out"), table("whole")) << from;
+  }
+}
+
+TEST_F(MeasuresTable, ARunThatIsKilledGoesOnWithIt) {
+  expect_killed_run_goes_on({"--set", with_measures});
+}
+
+TEST_F(MeasuresTable, MustBeThereOnResume) {
+  run("half", "0.3", {"--set", with_measures});
+  const auto gone = copy_of_half("gone");
+  fs::remove(gone / "measures.csv");
+  const auto short_of_rows = copy_of_half("short");
+  keep_lines(short_of_rows / "measures.csv", 3);
+  for (const auto& [run, said] :
+       {std::pair{gone, "measures.csv: is missing"}, {short_of_rows, "measures.csv: holds 2 of 8 rows"}}) {
+    const auto before = contents_of(run);
+    const auto refused = resume(run, {"--shear-time", "0.4"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.output, HasSubstr(said));
+    EXPECT_EQ(contents_of(run), before);
+    EXPECT_EQ(resume(run, {"--shear-time", "0.4", "--accept-gaps"}).exit_code, 0);
+  }
+}
+
+TEST_F(MeasuresTable, CanBeginAndEndWithAResumedRun) {
+  run_half();
+  const auto run = copy_of_half("out");
+  replace_in(run / "echo.toml", "measures_every = 0.0", "measures_every = 0.05");
+  ASSERT_EQ(resume(run, {"--shear-time", "0.4"}).exit_code, 0);
+  const auto text = table("out");
+  EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 2) << text;  // 210, 240
+  replace_in(run / "echo.toml", "measures_every = 0.05", "measures_every = 0.0");
+  ASSERT_EQ(resume(run, {"--shear-time", "0.5"}).exit_code, 0);
+  EXPECT_EQ(table("out"), text);
+}
+
+}  // namespace
