@@ -74,6 +74,18 @@ class Fluid {
   virtual void free_velocity(std::span<const std::int64_t> nodes, std::span<double> velocity,
                              std::span<double> mobility) const = 0;
 
+  /// Power that viscosity will take from the flow on every node in the next step(), under the present force
+  /// and viscosity: 2 mu S:S, with the rate of strain S (its trace included) that the solver itself has
+  /// there. Nothing changes.
+  /// @param power size() numbers, force times velocity; overwritten
+  /// @throws std::invalid_argument for another number of them; std::logic_error of a solver that cannot tell
+  virtual void dissipation(std::span<double> power) const = 0;
+
+  /// Power that moving walls give to the fluid on the way to the next step(): the sum of (momentum given).(
+  /// velocity of the wall); 0 without walls. Nothing changes.
+  /// @throws std::logic_error of a solver that cannot tell
+  virtual double wall_power() const = 0;
+
   /// Density and velocity of every node, for output: size() and 3 size() numbers, overwritten. As velocity().
   virtual void moments(std::span<double> density, std::span<double> velocity) const = 0;
 

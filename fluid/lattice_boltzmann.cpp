@@ -11,11 +11,13 @@
 #include "fluid/force_field.hpp"
 #include "fluid/incoming_moments.hpp"
 #include "fluid/kept_velocity.hpp"
+#include "fluid/node_dissipation.hpp"
 #include "fluid/node_moments.hpp"
 #include "fluid/node_rates.hpp"
 #include "fluid/population_lattice.hpp"
 #include "fluid/row_sweep.hpp"
 #include "fluid/settings.hpp"
+#include "fluid/wall_links.hpp"
 
 namespace tanktread::fluid {
 namespace {
@@ -80,6 +82,33 @@ class LatticeBoltzmann final : public Fluid {
         std::copy_n(at_node.velocity.data(), 3, &velocity[3 * node]);
       }
     }
+  }
+
+  void dissipation(std::span<double> power) const override {
+    check_size("dissipation()", power.size(), shape().size());
+    const std::int64_t nx = shape().nx, n_rows = std::int64_t{shape().ny} * shape().nz;
+#pragma omp parallel num_threads(n_threads_)
+    {
+      IncomingPacks<Real> packs(lattice_, next_turn());
+#pragma omp for schedule(static)
+      for (std::int64_t row = 0; row < n_rows; ++row) {
+        for (int x = 0; x < nx; x += pack_size<Real>)
+          dissipation_of_pack(packs, row, x, power.subspan(row * nx, nx));
+      }
+    }
+  }
+
+  double wall_power() const override {
+    if (!lattice_.walls()) return 0.0;
+    double power = 0.0;
+    for_each_wall_node(shape(), lattice_.walls()->axis, [&](int x, int y, int z) {
+      double outgoing[n_directions];
+      get_outgoing(x, y, z, outgoing);
+      for (int i = 1; i < n_directions; ++i)
+        if (lattice_.from_wall(i, x, y, z))
+          power += power_of_link(i, outgoing[d3q19::opposite(i)], lattice_.wall_gain(i));
+    });
+    return power;
   }
 
   void add_force(std::span<const std::int64_t> nodes, std::span<const double> force) override {
@@ -171,6 +200,21 @@ class LatticeBoltzmann final : public Fluid {
     std::transform(populations, populations + n_directions, numbers,
                    [](double number) { return static_cast<Real>(number); });
     lattice_.put_outgoing(last_turn(), x, y, z, numbers);
+  }
+
+  /// @param of_row of the nodes of the row
+  void dissipation_of_pack(IncomingPacks<Real>& packs, std::int64_t row, int x,
+                           std::span<double> of_row) const {
+    PackPopulations<Real> incoming;
+    packs.load(row, x, incoming);
+    const Rates<Real> rates = rates_.pack(row, x);
+    const int n_lanes = std::min(pack_size<Real>, shape().nx - x);
+    for (int lane = 0; lane < n_lanes; ++lane) {
+      std::array<double, n_directions> f;
+      for (int i = 0; i < n_directions; ++i) f[i] = incoming[i][lane];
+      of_row[x + lane] = dissipation_of_node(f, force_.total(row * shape().nx + x + lane), rates.even[lane],
+                                             settings_.inertia);
+    }
   }
 
   MomentReader<Real> moment_reader() const {

@@ -69,6 +69,26 @@ class PlainLatticeBoltzmann final : public Fluid {
     }
   }
 
+  void dissipation(std::span<double> power) const override {
+    check_size("dissipation()", power.size(), shape().size());
+    for_each_node([&](int x, int y, int z) {
+      const std::int64_t node = shape().index(x, y, z);
+      power[node] = dissipation_of(stream(x, y, z), total_force(node), viscosity_[node]);
+    });
+  }
+
+  double wall_power() const override {
+    double power = 0.0;
+    for_each_node([&](int x, int y, int z) {
+      const Populations incoming = stream(x, y, z), &outgoing = outgoing_[shape().index(x, y, z)];
+      for (int i = 0; i < n_directions; ++i) {
+        const Vector* wall = wall_behind(x, y, z, i);
+        if (wall) power += dot(d3q19::velocity[i], *wall) * (incoming[i] + outgoing[d3q19::opposite(i)]);
+      }
+    });
+    return power;
+  }
+
   void add_force(std::span<const std::int64_t> nodes, std::span<const double> force) override {
     check_nodes("add_force()", nodes, force.size(), shape().size());
     for (std::size_t k = 0; k < nodes.size(); ++k) {
@@ -175,28 +195,58 @@ class PlainLatticeBoltzmann final : public Fluid {
     return velocity_of(outgoing_[node], total_force(node), -0.5);
   }
 
+  /// The velocity of the wall from which direction i comes to a node; null: it comes from a node.
+  const Vector* wall_behind(int x, int y, int z, int direction) const {
+    if (!settings_.walls) return nullptr;
+    const int axis = settings_.walls->axis;
+    const int source = std::array{x, y, z}[axis] - d3q19::velocity[direction][axis];
+    if (source < 0) return &settings_.walls->low_velocity;
+    if (source >= std::array{shape().nx, shape().ny, shape().nz}[axis])
+      return &settings_.walls->high_velocity;
+    return nullptr;
+  }
+
   /// Each population from the neighbour it left, or back from the wall it met half-way.
   Populations stream(int x, int y, int z) const {
-    const std::array<int, 3> node = {x, y, z};
-    const std::array<int, 3> nodes = {shape().nx, shape().ny, shape().nz};
+    const auto wrapped = [](int position, int n) { return (position + n) % n; };
     Populations incoming{};
     for (int i = 0; i < n_directions; ++i) {
       const auto& c = d3q19::velocity[i];
-      std::array<int, 3> source;
-      const Vector* wall = nullptr;
-      for (int axis = 0; axis < 3; ++axis) {
-        source[axis] = node[axis] - c[axis];
-        const bool outside = source[axis] < 0 || source[axis] >= nodes[axis];
-        if (outside && settings_.walls && settings_.walls->axis == axis) {
-          wall = source[axis] < 0 ? &settings_.walls->low_velocity : &settings_.walls->high_velocity;
-        }
-        source[axis] = (source[axis] + nodes[axis]) % nodes[axis];
+      if (const Vector* wall = wall_behind(x, y, z, i)) {
+        incoming[i] =
+            outgoing_[shape().index(x, y, z)][d3q19::opposite(i)] + 6.0 * d3q19::weight(i) * dot(c, *wall);
+      } else {
+        const auto source = shape().index(wrapped(x - c[0], shape().nx), wrapped(y - c[1], shape().ny),
+                                          wrapped(z - c[2], shape().nz));
+        incoming[i] = outgoing_[source][i];
       }
-      incoming[i] = wall ? outgoing_[shape().index(x, y, z)][d3q19::opposite(i)] +
-                               6.0 * d3q19::weight(i) * dot(c, *wall)
-                         : outgoing_[shape().index(source[0], source[1], source[2])][i];
     }
     return incoming;
+  }
+
+  /// 2 mu S:S, with S = -3/(2 rho tau) [sum_i (f_i - f_i^eq) c_i c_i + (u F + F u)/2].
+  double dissipation_of(const Populations& f, const Vector& force, double viscosity) const {
+    const double relaxation_time = 0.5 + 3.0 * viscosity;
+    const Vector u = velocity_of(f, force, 0.5);
+    const double rho = inertial_density(f), quadratic = settings_.inertia ? 1.0 : 0.0;
+    double sum = 0.0;
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b < 3; ++b) {
+        double moment = quadratic * 0.5 * (u[a] * force[b] + force[a] * u[b]);
+        for (int i = 0; i < n_directions; ++i) {
+          const auto& c = d3q19::velocity[i];
+          moment += c[a] * c[b] * (f[i] - even_equilibrium(i, density_change(f), rho, u));
+        }
+        const double strain_rate = -1.5 / (rho * relaxation_time) * moment;
+        sum += strain_rate * strain_rate;
+      }
+    }
+    return 2.0 * rho * viscosity * sum;
+  }
+
+  double even_equilibrium(int direction, double change, double rho, const Vector& u) const {
+    const double quadratic = settings_.inertia ? rho : 0.0, cu = dot(d3q19::velocity[direction], u);
+    return d3q19::weight(direction) * (change + quadratic * (4.5 * cu * cu - 1.5 * dot(u, u)));
   }
 
   Populations collide(const Populations& f, const Vector& u, const Vector& force, double viscosity) const {
@@ -211,11 +261,10 @@ class PlainLatticeBoltzmann final : public Fluid {
       const auto& c = d3q19::velocity[i];
       const double w = d3q19::weight(i), back = f[d3q19::opposite(i)];
       const double cu = dot(c, u), cF = dot(c, force);
-      const double even_equilibrium = w * (change + quadratic * rho * (4.5 * cu * cu - 1.5 * dot(u, u)));
       const double odd_equilibrium = w * 3.0 * rho * cu;
       const double even_force = w * quadratic * (9.0 * cu * cF - 3.0 * dot(u, force));
       const double odd_force = w * 3.0 * cF;
-      out[i] = f[i] - even_rate * (0.5 * (f[i] + back) - even_equilibrium) -
+      out[i] = f[i] - even_rate * (0.5 * (f[i] + back) - even_equilibrium(i, change, rho, u)) -
                odd_rate * (0.5 * (f[i] - back) - odd_equilibrium) + (1.0 - 0.5 * even_rate) * even_force +
                (1.0 - 0.5 * odd_rate) * odd_force;
     }

@@ -60,6 +60,19 @@ Eigen::Matrix3Xd ImplicitViscosity::stress_of(const Eigen::Ref<const Eigen::Matr
   return result;
 }
 
+ViscousPower ImplicitViscosity::power(const Eigen::Ref<const Eigen::Matrix3Xd>& velocity) const {
+  Eigen::Matrix3Xd rates(3, rates_.n_rates());
+  rates_.multiply(velocity, rates);
+  Eigen::Array3d dissipated = Eigen::Array3d::Zero(), taken_up = Eigen::Array3d::Zero();
+  for (Eigen::Index k = 0; k < stress_.cols(); ++k) {
+    dissipated += stress_.col(k).array().square();
+    taken_up += stress_.col(k).array() * (rates.col(k) - stress_.col(k)).array();
+  }
+  double spring = 0;
+  for (int part = 0; part < 3; ++part) spring += theta_[part] > 0 ? taken_up[part] : 0;
+  return {dissipated[0] + dissipated[1], dissipated[2], spring};
+}
+
 void ImplicitViscosity::append_to(std::vector<double>& values) const {
   for (const auto* stress : {&stress_, &stress_before_})
     values.insert(values.end(), stress->data(), stress->data() + stress->size());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "membrane/strain_rates.hpp"
+#include "membrane/viscous_power.hpp"
 
 namespace tanktread::membrane {
 
@@ -67,6 +68,12 @@ class ImplicitViscosity {
 
   /// s(t).
   const Eigen::Matrix3Xd& stress() const { return stress_; }
+
+  /// What becomes of the power that velocities of the nodes put into the stress s(t): |s|^2 is dissipated, a
+  /// part with a spring takes s.(B u - s) besides. Without springs B u differs from s by what the equations
+  /// were not solved to, which is in none of the three.
+  /// @param velocity u, 3 x n_nodes, of the nodes at the positions set
+  ViscousPower power(const Eigen::Ref<const Eigen::Matrix3Xd>& velocity) const;
 
   /// Numbers that append_to() appends: s(t), then s(t-1).
   std::size_t n_values() const { return static_cast<std::size_t>(2 * stress_.size()); }

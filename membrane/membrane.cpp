@@ -97,6 +97,26 @@ double Membrane::elastic_energy() const {
   return sum;
 }
 
+ViscousPower Membrane::viscous_power(const Eigen::Ref<const Eigen::Matrix3Xd>& velocity) const {
+  const auto& self = *implementation_;
+  self.require_column_per_node("the velocity array", velocity.cols());
+  if (!self.viscous) return {};
+  Eigen::Matrix3Xd of_element(3, n_triangles());  // shear, dilatational, all that goes into the stress
+#pragma omp parallel for num_threads(self.n_threads) schedule(static)
+  for (Eigen::Index t = 0; t < self.n_elements(); ++t) {
+    const SurfaceGradient gradient = deformation_gradient(self.corners(t), self.elements[t]);
+    const SymmetricTensor c = cauchy_green(gradient);
+    const double area = self.elements[t].area * std::sqrt(c.determinant());
+    const Eigen::Vector2d dissipated = area * self.viscous->law().dissipation(self.viscous->stress(t));
+    const Eigen::Matrix3d forces = corner_forces(gradient, self.viscous_stress(t, c), self.elements[t]);
+    const Eigen::Matrix3d velocities = corners_of(velocity, self.reference.triangles.col(t));
+    of_element.col(t) << dissipated, -forces.cwiseProduct(velocities).sum();
+  }
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (Eigen::Index t = 0; t < of_element.cols(); ++t) sum += of_element.col(t);
+  return {sum[0], sum[1], sum[2] - sum[0] - sum[1]};
+}
+
 namespace {
 
 void put_tensor(const Eigen::Matrix3d& tensor, Eigen::Ref<Eigen::Matrix<double, 9, 1>> row_by_row) {

@@ -11,6 +11,7 @@
 #include "membrane/elastic_law.hpp"
 #include "membrane/mesh.hpp"
 #include "membrane/viscous_law.hpp"
+#include "membrane/viscous_power.hpp"
 
 namespace tanktread::membrane {
 
@@ -78,6 +79,14 @@ class Membrane {
 
   /// Sum over elements of A0 W.
   double elastic_energy() const;
+
+  /// What becomes of the power that velocities of the nodes put into the viscous stress at the present
+  /// positions, the stress of the last update as in element_fields(). The dashpots' own rates are the stress
+  /// by their viscosity, with either StressMeasure. The sum of the three is -(viscous force).velocity over
+  /// the nodes. All zero without a viscous law.
+  /// @param velocity 3 x n_nodes
+  /// @throws std::invalid_argument if `velocity` has another number of columns
+  ViscousPower viscous_power(const Eigen::Ref<const Eigen::Matrix3Xd>& velocity) const;
 
   /// Stretches, stresses and area ratio of every element at the present positions, for output. The viscous
   /// stress is that of the last update (kept in the frame that turns with the element). It checks no element.

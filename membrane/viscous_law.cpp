@@ -23,7 +23,11 @@ MaxwellStep maxwell_step(const ViscousParameters& parameters, const std::string&
 }  // namespace
 
 ViscousLaw::ViscousLaw(const ViscousParameters& parameters)
-    : interval_(parameters.interval), sampling_(parameters.sampling), measure_(parameters.measure) {
+    : interval_(parameters.interval),
+      shear_viscosity_(parameters.shear_viscosity),
+      dilatational_viscosity_(parameters.dilatational_viscosity),
+      sampling_(parameters.sampling),
+      measure_(parameters.measure) {
   require(parameters.interval >= 1, "interval", parameters.interval, "1 or more");
   shear_ = maxwell_step(parameters, "shear", parameters.shear_viscosity, parameters.shear_spring);
   dilatation_ = maxwell_step(parameters, "dilatational", parameters.dilatational_viscosity,

@@ -69,6 +69,15 @@ class ViscousLaw {
     state[2] = dilatation_.advance(state[2], 0.5 * increment.trace());
   }
 
+  /// What the dashpots dissipate under a stress (in the frame of R), in shear and in dilatation, per area:
+  /// with the rates D_d that make this stress, mu_s 2 D_d':D_d' = (s0^2 + s1^2)/mu_s of the shear parts of
+  /// ViscousState, and mu_d (tr D_d)^2 = s2^2/mu_d. 0 where the viscosity is.
+  Eigen::Vector2d dissipation(const SymmetricTensor& stress) const {
+    const double difference = 0.5 * (stress.xx - stress.yy), mean = 0.5 * stress.trace();
+    return {shear_viscosity_ > 0 ? (difference * difference + stress.xy * stress.xy) / shear_viscosity_ : 0.0,
+            dilatational_viscosity_ > 0 ? mean * mean / dilatational_viscosity_ : 0.0};
+  }
+
   /// The Cauchy stress in the frame of R, force per length.
   static SymmetricTensor stress(const ViscousState& state) {
     return {state[2] + state[0], state[1], state[2] - state[0]};
@@ -76,6 +85,7 @@ class ViscousLaw {
 
  private:
   int interval_;
+  double shear_viscosity_, dilatational_viscosity_;
   StrainSampling sampling_;
   StressMeasure measure_;
   MaxwellStep shear_, dilatation_;  ///< all zero where the viscosity is

@@ -19,7 +19,7 @@ target_compile_definitions(driver_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:
 # Not by __FILE__, which is a relative path where ccache has a base directory.
 set_source_files_properties(unit/case_schema_test.cpp unit/step_error_test.cpp PROPERTIES
   COMPILE_DEFINITIONS TANKTREAD_SOURCE="${PROJECT_SOURCE_DIR}")
-tanktread_test(tables_test SOURCES integration/measures_test.cpp integration/program.cpp
+tanktread_test(tables_test SOURCES integration/energy_test.cpp integration/measures_test.cpp integration/program.cpp
   LIBRARIES tanktread_driver)
 target_compile_definitions(tables_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
 add_dependencies(tables_test tanktread)

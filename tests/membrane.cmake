@@ -26,3 +26,4 @@ tanktread_test(membrane_implicit_viscosity_test SOURCES unit/membrane_implicit_v
   LIBRARIES membrane_test_support)
 tanktread_test(membrane_contour_test SOURCES unit/membrane_contour_test.cpp verification/membrane_contour_order_test.cpp
   LIBRARIES membrane_test_support)
+tanktread_test(membrane_viscous_power_test SOURCES unit/membrane_viscous_power_test.cpp LIBRARIES membrane_test_support)

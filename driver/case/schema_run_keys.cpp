@@ -26,6 +26,15 @@ std::string refuse_without_implicit(const Case& the_case, std::size_t) {
   return any ? "" : "is of membrane.viscous.scheme = \"implicit\", which no capsule has; remove it";
 }
 
+/// The budget needs parts of both components that a program is not asked for.
+std::string refuse_with_a_program(const Case& the_case, std::size_t) {
+  const bool of_membrane = std::ranges::any_of(
+      the_case.capsules, [](const CapsuleCase& capsule) { return !capsule.membrane.command.empty(); });
+  if (the_case.flow.command.empty() && !of_membrane) return "";
+  return fmt::format("needs what a program is not asked for, and {} is given; remove one of the two",
+                     of_membrane ? "membrane.command" : "flow.command");
+}
+
 }  // namespace
 
 std::vector<Key> coupler_run_output_keys() {
@@ -81,6 +90,12 @@ std::vector<Key> coupler_run_output_keys() {
           "between rows of measures.csv (contour, its speed, extent, marker); 0: never")
           .from(0)
           .free_on_resume(),
+      key<InCase<&Case::output, &O::energy_every>>(
+          "output.energy_every", "shear times",
+          "between rows of energy.csv (powers of the whole system); 0: never")
+          .from(0)
+          .free_on_resume()
+          .unless(refuse_with_a_program),
       key<InCase<&Case::output, &O::membrane_every>>("output.membrane_every", "shear times",
                                                      "between membrane files; 0: never")
           .from(0)

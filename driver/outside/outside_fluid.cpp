@@ -79,6 +79,16 @@ void OutsideFluid::free_velocity(std::span<const std::int64_t>, std::span<double
       "flow.command: a program in the place of the fluid is not asked for the velocity of the step to come");
 }
 
+void OutsideFluid::dissipation(std::span<double>) const {
+  throw std::logic_error(
+      "flow.command: a program in the place of the fluid is not asked for its dissipation");
+}
+
+double OutsideFluid::wall_power() const {
+  throw std::logic_error(
+      "flow.command: a program in the place of the fluid is not asked for the power of the walls");
+}
+
 void OutsideFluid::moments(std::span<double> density, std::span<double> velocity) const {
   check_size("moments(): density", density.size(), arrays_[0].values.size());
   check_size("moments(): velocity", velocity.size(), arrays_[1].values.size());

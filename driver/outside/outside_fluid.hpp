@@ -25,6 +25,9 @@ class OutsideFluid final : public fluid::Fluid {
   /// @throws std::logic_error always: a program is asked for its flow after a step, not for what it would be
   void free_velocity(std::span<const std::int64_t> nodes, std::span<double> velocity,
                      std::span<double> mobility) const override;
+  /// @throws std::logic_error always, both: a program tells density and velocity alone
+  void dissipation(std::span<double> power) const override;
+  double wall_power() const override;
   void moments(std::span<double> density, std::span<double> velocity) const override;
   void add_force(std::span<const std::int64_t> nodes, std::span<const double> force) override;
   void clear_force() override;

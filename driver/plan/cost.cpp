@@ -77,7 +77,7 @@ Cost predict_cost(const Case& the_case, const Parameters& parameters,
   // A checkpoint has the membrane's record, reference positions, and of a triangle its normal and viscous
   // history.
   constexpr double checkpoint_node = node_record + 3 * 8, checkpoint_triangle = triangle_record + (3 + 9) * 8;
-  constexpr double observables_row = 300, measures_row = 160;
+  constexpr double observables_row = 300, measures_row = 160, energy_row = 260;
 
   // The marks in a fluid file; the viscosities in a state.
   const double contrast_record = has_contrast(the_case) ? 8 : 0;
@@ -88,6 +88,7 @@ Cost predict_cost(const Case& the_case, const Parameters& parameters,
       lattice_bytes + checkpoint_node * sizes.membrane_nodes + checkpoint_triangle * sizes.triangles;
   const double n_rows = times(the_case.output.observables_every),
                n_measures = times(the_case.output.measures_every),
+               n_energy = times(the_case.output.energy_every),
                n_membrane = times(the_case.output.membrane_every),
                n_fluid = times(the_case.output.fluid_every),
                n_checkpoints = times(the_case.run.checkpoint_every);
@@ -97,6 +98,7 @@ Cost predict_cost(const Case& the_case, const Parameters& parameters,
   cost.files = {
       {"observables", n_rows, n_rows, observables_row * static_cast<double>(meshes.size()), 0},
       {"measures", n_measures, n_measures, measures_row * static_cast<double>(meshes.size()), 0},
+      {"energy", n_energy, n_energy, energy_row, 0},
       {"membrane files", n_membrane, n_membrane, membrane_bytes, probe.membrane_file_seconds},
       {"fluid files", n_fluid, n_fluid, fluid_bytes, probe.grid_seconds_per_byte * fluid_bytes},
       {"checkpoints", n_checkpoints, std::min(kept_checkpoints, n_checkpoints), checkpoint_bytes,

@@ -109,6 +109,8 @@ void put_run(EchoTable& table, const Subject& subject) {
   put_schedule(table, subject, "observables", the_case.output.observables_every);
   if (the_case.output.measures_every > 0)
     put_schedule(table, subject, "measures", the_case.output.measures_every);
+  if (the_case.output.energy_every > 0)
+    put_schedule(table, subject, "energy", the_case.output.energy_every);
   put_schedule(table, subject, "membrane files", the_case.output.membrane_every);
   put_schedule(table, subject, "fluid files", the_case.output.fluid_every);
   put_schedule(table, subject, "checkpoints", the_case.run.checkpoint_every);

@@ -203,6 +203,7 @@ void warn_of_rounding(Lines& lines, const Case& the_case, const Parameters& p) {
   const std::pair<const char*, double> intervals[] = {
       {"output.observables_every", the_case.output.observables_every},
       {"output.measures_every", the_case.output.measures_every},
+      {"output.energy_every", the_case.output.energy_every},
       {"output.membrane_every", the_case.output.membrane_every},
       {"output.fluid_every", the_case.output.fluid_every},
       {"run.checkpoint_every", the_case.run.checkpoint_every}};

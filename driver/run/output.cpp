@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "driver/packets/fluid_files.hpp"
+#include "driver/run/energy.hpp"
 #include "driver/run/measures.hpp"
 #include "driver/system/membrane_files.hpp"
 #include "driver/units/laws.hpp"
@@ -29,6 +30,10 @@ TablePoint measures_point(const ResumePoint& point) {
   return table_point(point, point.schedules.measures, &RowCounts::measures);
 }
 
+TablePoint energy_point(const ResumePoint& point) {
+  return table_point(point, point.schedules.energy, &RowCounts::energy);
+}
+
 template <class Row>
 std::vector<std::string> texts_of(const std::vector<Row>& rows, std::string (*text_of)(const Row&)) {
   std::vector<std::string> texts;
@@ -48,7 +53,8 @@ void say_remark(const OutputSeries& series, std::int64_t step, const std::vector
 OutputSchedules output_schedules(const Case& the_case, const FlowParameters& parameters) {
   const auto& every = the_case.output;
   return {schedule_of(every.observables_every, parameters), schedule_of(every.measures_every, parameters),
-          schedule_of(every.membrane_every, parameters), schedule_of(every.fluid_every, parameters)};
+          schedule_of(every.energy_every, parameters), schedule_of(every.membrane_every, parameters),
+          schedule_of(every.fluid_every, parameters)};
 }
 
 Output::Output(const Case& the_case, const Parameters& parameters, std::filesystem::path directory)
@@ -62,12 +68,14 @@ Output::Output(const Case& the_case, const Parameters& parameters, std::filesyst
                    schedules.observables, OutputTable::Never::header_alone),
       measures_(directory / "measures.csv", measures_header(), schedules.measures,
                 OutputTable::Never::no_file),
+      energy_(directory / "energy.csv", energy_header(), schedules.energy, OutputTable::Never::no_file),
       membrane_(directory, "membrane", "vtu", schedules.membrane),
       fluid_(directory, "fluid", "vti", schedules.fluid) {}
 
 void Output::begin() {
   observables_.begin();
   measures_.begin();
+  energy_.begin();
   membrane_.begin();
   fluid_.begin();
 }
@@ -75,6 +83,7 @@ void Output::begin() {
 void Output::check(const ResumePoint& point) const {
   observables_.check(observables_point(point));
   measures_.check(measures_point(point));
+  energy_.check(energy_point(point));
   membrane_.remark(point.step, membrane_.steps_kept(point.step, point.schedules.membrane));
   fluid_.remark(point.step, fluid_.steps_kept(point.step, point.schedules.fluid));
 }
@@ -88,6 +97,7 @@ void Output::resume(const ResumePoint& point) {
   std::ranges::set_union(membrane, fluid, std::back_inserter(times));
   observables_.resume(observables_point(point));
   measures_.resume(measures_point(point));
+  energy_.resume(energy_point(point));
   membrane_.cut(membrane, times, shear_rate_);
   fluid_.cut(fluid, times, shear_rate_);
 }
@@ -100,6 +110,7 @@ std::vector<Observation> Output::write(const System& system, bool last) {
   if (has_membrane || has_fluid) fluid_.show(system.shear_time());
   if (measures_.due(system.step, last))
     measures_.add(system.step, texts_of(measure(system, case_), measures_row));
+  if (energy_.due(system.step, last)) energy_.add(system.step, {energy_row(energy_budget(system, case_))});
   // This table last: a row of the end of the run says that all is there.
   if (!observables_.due(system.step, last)) return {};
   const auto observations = observe(system, case_);

@@ -1,4 +1,5 @@
-// The output directory of a run: observables.csv, measures.csv, membrane.pvd, fluid.pvd and their files.
+// The output directory of a run: observables.csv, measures.csv, energy.csv, membrane.pvd, fluid.pvd and their
+// files.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,7 @@ namespace tanktread::driver {
 
 /// When each kind of output is due.
 struct OutputSchedules {
-  Schedule observables, measures, membrane, fluid;
+  Schedule observables, measures, energy, membrane, fluid;
 };
 OutputSchedules output_schedules(const Case& the_case, const FlowParameters& parameters);
 
@@ -47,7 +48,7 @@ class Output {
   void resume(const ResumePoint& point);
 
   /// The rows of the tables that were due so far.
-  RowCounts row_counts() const { return {observables_.n_rows(), measures_.n_rows()}; }
+  RowCounts row_counts() const { return {observables_.n_rows(), measures_.n_rows(), energy_.n_rows()}; }
 
   /// Writes all that is due at this step; with `last`, the state at the end of the run too.
   /// @return the observations if they were due, else none
@@ -61,7 +62,7 @@ class Output {
 
   const Case& case_;
   double shear_rate_;
-  OutputTable observables_, measures_;
+  OutputTable observables_, measures_, energy_;
   OutputSeries membrane_, fluid_;
 };
 

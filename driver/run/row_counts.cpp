@@ -10,6 +10,7 @@ namespace {
 
 constexpr const char* observables_key = "rows";
 constexpr const char* measures_key = "measures_rows";
+constexpr const char* energy_key = "energy_rows";
 
 /// @throws exchange::FileError for what is no count
 std::int64_t count_of(const toml::table& table, const char* key, const std::filesystem::path& file) {
@@ -31,6 +32,7 @@ void write_row_counts(const std::filesystem::path& file, const RowCounts& counts
       "checkpoint.\n{} = {}\n",
       observables_key, counts.observables);
   if (counts.measures > 0) text += fmt::format("{} = {}\n", measures_key, counts.measures);
+  if (counts.energy > 0) text += fmt::format("{} = {}\n", energy_key, counts.energy);
   exchange::write_text(file, text);
 }
 
@@ -38,7 +40,8 @@ std::optional<RowCounts> read_row_counts(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return std::nullopt;
   try {
     const auto table = toml::parse_file(file.string());
-    return RowCounts{count_of(table, observables_key, file), count_if_there(table, measures_key, file)};
+    return RowCounts{count_of(table, observables_key, file), count_if_there(table, measures_key, file),
+                     count_if_there(table, energy_key, file)};
   } catch (const toml::parse_error& error) {
     throw exchange::FileError(fmt::format("{}: is damaged: {}", file.string(), error.description()));
   }

@@ -12,6 +12,7 @@ namespace tanktread::driver {
 struct RowCounts {
   std::int64_t observables = 0;  ///< of observables.csv
   std::int64_t measures = 0;     ///< of measures.csv
+  std::int64_t energy = 0;       ///< of energy.csv
 };
 
 /// The file in a checkpoint that holds them. Of a table that has no row it says nothing, but for

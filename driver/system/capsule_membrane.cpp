@@ -67,6 +67,11 @@ double CapsuleMembrane::elastic_energy() const {
   return program_ ? unknown : membrane_.elastic_energy();
 }
 
+membrane::ViscousPower CapsuleMembrane::viscous_power(const Eigen::Matrix3Xd& velocity) const {
+  if (program_) return {unknown, unknown, unknown};
+  return implicit_ ? implicit_->power(velocity) : membrane_.viscous_power(velocity);
+}
+
 MembraneState CapsuleMembrane::state() const {
   MembraneState state{membrane_.history(), program_ ? program_->state() : SurfaceArrays()};
   if (implicit_) implicit_->append_to(state.history);

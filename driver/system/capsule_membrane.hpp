@@ -54,6 +54,8 @@ class CapsuleMembrane {
   membrane::ElementFields element_fields() const;
   /// Of a program always NaN.
   double elastic_energy() const;
+  /// Of a program always NaN. @param velocity of the nodes at the present positions, 3 x n_nodes
+  membrane::ViscousPower viscous_power(const Eigen::Matrix3Xd& velocity) const;
 
   MembraneState state() const;
   /// @throws std::invalid_argument if it is not of such a membrane

@@ -37,6 +37,7 @@ TEST(CaseRoundTrip, WithAssignments) {
       {"membrane.elastic_law=interfacial-tension"},
       {"membrane.capillary_modulus=G_s", "membrane.area_ratio=0"},
       {"output.fluid_box=[[0, 0], [3, 7], [0, 43]]", "output.observables_every=0"},
+      {"output.energy_every=0.3", "output.measures_every=0.1"},
       {"membrane.viscous={boussinesq_shear = 10, spring_stiffness = 100, interval = 20}"},
       {"membrane.viscous={strain_sampling = \"moving-average\", stress_measure = \"rate-of-strain\"}"},
       {"membrane.viscous={spring_relaxation_time = 0.01, spring_modulus_dilatational = 2e-3}"},

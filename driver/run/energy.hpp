@@ -1,0 +1,44 @@
+// Where the power goes that drives a system: the budget of its energy at one time.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "driver/system/system.hpp"
+
+namespace tanktread::driver {
+
+/// One row of energy.csv, of the whole system, lattice units (energy: density times grid step^5 per time
+/// step^2). x_m, F_m and u_m are place, force and velocity of the membrane nodes at the time of the row, u
+/// the velocity of the fluid.
+struct EnergyBudget {
+  std::int64_t step = 0;
+  double shear_time = 0;
+  double elastic_energy = 0;        ///< of all membranes (Membrane::elastic_energy)
+  double elastic_power = 0;         ///< - sum F_elastic.u_m: what the elastic stress stores
+  double viscous_shear = 0;         ///< dissipated in the membranes (ViscousPower)
+  double viscous_dilatational = 0;  ///< likewise
+  double spring_power = 0;          ///< taken up by the springs of Maxwell elements (ViscousPower)
+  double inner = 0;                 ///< sum 2 mu S:S over the nodes inside capsules (Fluid::dissipation); 0
+                                    ///< where the fluid has one viscosity: nodes are not marked then
+  double outer = 0;                 ///< over all others
+  double walls = 0;                 ///< power of the moving walls (Fluid::wall_power)
+  double body_force = 0;            ///< sum F_b.u
+  double correction = 0;            ///< sum F_m.(what was added to the interpolated velocity, for u_m)
+  double kinetic_energy = 0;        ///< sum rho u^2/2; without inertia rho = 1
+  /// walls + body_force - elastic_power - viscous_shear - viscous_dilatational - spring_power - inner - outer
+  /// - correction - the rate of kinetic_energy over the step to come, under the present force.
+  double remainder = 0;
+};
+
+/// The system stands at a time t between two steps. inner and outer are of the populations that come in at
+/// t + 1, walls of the exchange on the way there, the others of t.
+/// @throws std::logic_error of a fluid that cannot tell
+EnergyBudget energy_budget(const System& system, const Case& the_case);
+
+/// First line of energy.csv.
+std::string energy_header();
+/// A row, 17 significant digits.
+std::string energy_row(const EnergyBudget& budget);
+
+}  // namespace tanktread::driver
