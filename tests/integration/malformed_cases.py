@@ -94,6 +94,9 @@ RANGES = [
     assigned("an end that is not a number", "run.shear_time=nan", "is not finite"),
     assigned("no checkpoints", "run.checkpoint_every=0", "a number > 0"),
     assigned("a negative output interval", "output.membrane_every=-0.5"),
+    assigned("measures in words", "output.measures_every='often'", "output.measures_every", "a number >= 0"),
+    assigned("a negative interval of the energy", "output.energy_every=-1", "output.energy_every", "a number >= 0"),
+    whole("the energy of an outside fluid", changed(CASE, "[flow]", "[output]\nenergy_every = 0.1\n[flow]\ncommand = ['sh']"), "output.energy_every", "flow.command"),
     assigned("a fluid box outside", "output.fluid_box=[[0, 12], [0, 1], [0, 1]]", "output.fluid_box", "<= 11"),
     assigned("a fluid box backwards", "output.fluid_box=[[3, 2], [0, 1], [0, 1]]", "output.fluid_box", "first <= last"),
 ]

@@ -71,6 +71,7 @@ STATES = [
     resumed("a state of a membrane without history", {MEMBRANE: no_history()}, MEMBRANE, "history_0"),
     resumed("a state of two steps", {MEMBRANE: of_step(11)}, MEMBRANE, "of step 11", "step 12"),
     resumed("a state without the membrane", {}, MEMBRANE, "no such file", remove=(MEMBRANE,)),
+    resumed("a state of less than no row", {f"{CHECKPOINT}/output.toml": "rows = 3\nmeasures_rows = -1\n"}, "output.toml", "measures_rows"),
     resumed("a run without states", {}, "no checkpoint to resume from", remove=("out/checkpoints",)),
 ]
 
