@@ -23,13 +23,19 @@ inline double dissipation_of_node(const std::array<double, d3q19::n_directions>&
   double density_change = f[0];
   std::array<double, 3> momentum = {0.5 * force[0], 0.5 * force[1], 0.5 * force[2]};
   std::array<std::array<double, 3>, 3> pi{};
+  // Unrolled, so that products with 0 and 1 go.
+#pragma GCC unroll 9
   for (int k = 0; k < d3q19::n_pairs; ++k) {
     const auto& c = d3q19::velocity[2 * k + 1];
     const double even = f[2 * k + 1] + f[2 * k + 2], odd = f[2 * k + 1] - f[2 * k + 2];
     density_change += even;
+#pragma GCC unroll 3
     for (int a = 0; a < 3; ++a) {
+      if (c[a] == 0) continue;
       momentum[a] += c[a] * odd;
-      for (int b = 0; b < 3; ++b) pi[a][b] += c[a] * c[b] * even;
+#pragma GCC unroll 3
+      for (int b = 0; b < 3; ++b)
+        if (c[b] != 0) pi[a][b] += c[a] * c[b] * even;
     }
   }
   const double density = inertia ? 1.0 + density_change : 1.0;
