@@ -51,6 +51,13 @@ inline void weights_of(const Kernel& kernel, int n, const double* first_distance
   }
 }
 
+/// Likewise the derivatives of the weights by the coordinate, - d phi/dr.
+inline void slopes_of(const Kernel& kernel, int n, const double* first_distances, double* slopes) {
+  kernel.slopes(n, first_distances, slopes);
+  const int n_slopes = n * width_of(kernel);
+  for (int k = 0; k < n_slopes; ++k) slopes[k] = -slopes[k];
+}
+
 /// What became of a coordinate.
 enum class Fit { inside, beyond_wall, not_finite, too_far };
 
@@ -76,8 +83,9 @@ class AxisStencil {
   /// @param lowest   the grid node of lowest(position)
   /// @param first    the lowest of them, 0 <= first < nodes; without a period first + width <= nodes as well
   /// @param weights  `width` numbers, phi(node - position) from the lowest node on; perhaps shifted
-  /// @return anything but `inside`: first and weights are of no use
-  Fit fit(double position, double lowest, int& first, double* weights) const {
+  /// @param slopes   of these, shifted as they are; or null
+  /// @return anything but `inside`: first, weights and slopes are of no use
+  Fit fit(double position, double lowest, int& first, double* weights, double* slopes) const {
     if (!std::isfinite(position)) return Fit::not_finite;
     if (std::abs(position) > farthest_coordinate) return Fit::too_far;
     std::int64_t index = static_cast<std::int64_t>(lowest);
@@ -88,12 +96,12 @@ class AxisStencil {
     // A node beyond the wall is harmless where its weight is zero (a kernel just at the end of its reach):
     // the window then moves inside by one node, whose weight is zero as well.
     if (index < 0 && weights[0] == 0.0) {
-      std::copy(weights + 1, weights + width_, weights);
-      weights[width_ - 1] = 0.0;
+      shift_down(weights);
+      if (slopes != nullptr) shift_down(slopes);
       ++index;
     } else if (index + width_ > nodes_ && weights[width_ - 1] == 0.0) {
-      std::copy_backward(weights, weights + width_ - 1, weights + width_);
-      weights[0] = 0.0;
+      shift_up(weights);
+      if (slopes != nullptr) shift_up(slopes);
       --index;
     }
     first = static_cast<int>(index);
@@ -101,6 +109,15 @@ class AxisStencil {
   }
 
  private:
+  void shift_down(double* numbers) const {
+    std::copy(numbers + 1, numbers + width_, numbers);
+    numbers[width_ - 1] = 0.0;
+  }
+  void shift_up(double* numbers) const {
+    std::copy_backward(numbers, numbers + width_ - 1, numbers + width_);
+    numbers[0] = 0.0;
+  }
+
   int wrapped(std::int64_t index) const {
     if (index >= 0 && index < nodes_) return static_cast<int>(index);
     const std::int64_t remainder = index % nodes_;

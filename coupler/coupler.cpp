@@ -42,8 +42,8 @@ const Kernel& Coupler::kernel() const {
   return implementation_->builder.kernel();
 }
 
-void Coupler::build(std::span<const std::span<const double>> surfaces) {
-  implementation_->builder.build(surfaces, implementation_->next);
+void Coupler::build(std::span<const std::span<const double>> surfaces, std::span<const ShearDipole> dipoles) {
+  implementation_->builder.build(surfaces, dipoles, implementation_->next);
   std::swap(implementation_->stencils, implementation_->next);
 }
 
@@ -60,7 +60,7 @@ void Coupler::interpolate(std::span<const double> grid_velocity,
   const Stencils& stencils = implementation_->stencils;
   check_size("interpolate, grid_velocity", grid_velocity.size(), 3 * stencils.grid_nodes->size());
   implementation_->check_surfaces("interpolate, node_velocity", node_velocity);
-  implementation_->interpolate(grid_velocity,
+  implementation_->interpolate(With::dipoles, grid_velocity,
                                [&](std::size_t surface, std::size_t node, const double* velocity) {
                                  std::copy_n(velocity, 3, &node_velocity[surface][3 * node]);
                                });
@@ -71,9 +71,12 @@ void Coupler::spread(std::span<const std::span<const double>> node_force,
   const Stencils& stencils = implementation_->stencils;
   implementation_->check_surfaces("spread, node_force", node_force);
   check_size("spread, grid_force", grid_force.size(), 3 * stencils.grid_nodes->size());
-  implementation_->spread([&](std::size_t surface, std::size_t node,
-                              double* force) { std::copy_n(&node_force[surface][3 * node], 3, force); },
-                          grid_force);
+  implementation_->spread(
+      With::dipoles,
+      [&](std::size_t surface, std::size_t node, double* force) {
+        std::copy_n(&node_force[surface][3 * node], 3, force);
+      },
+      grid_force);
 }
 
 }  // namespace tanktread::coupler

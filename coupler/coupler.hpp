@@ -33,6 +33,9 @@ struct Kernel {
   /// `weights` one coordinate after the other), where that is cheaper than one by one; null: `function` is
   /// called for each.
   void (*weights)(int n, const double* first_distances, double* weights);
+  /// The derivative d phi/dr of those points, likewise; needed by surfaces with a shear dipole only. Where
+  /// phi has a kink, the mean of the slopes on both sides. Null: such surfaces are refused.
+  void (*slopes)(int n, const double* first_distances, double* slopes) = nullptr;
 };
 
 /// All kernels, the default (stockie6) first: stockie6, peskin4, cosine4 (Eq. 2.2), roma3, linear2.
@@ -41,11 +44,22 @@ const std::vector<Kernel>& kernels();
 /// @throws std::invalid_argument that lists the known names
 const Kernel& kernel(const std::string& name);
 
-/// A membrane node whose stencil reaches beyond a wall, or is not finite. The message says surface, node,
-/// position.
+/// A membrane node whose stencil reaches beyond a wall, or whose position or normal is not finite. The
+/// message says surface, node, position.
 class StencilError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// What the stencils of a surface between two fluids have beside the kernel (docs/kernels.md, "Two fluids").
+/// A length d other than 0 adds the rate of shear across the surface to the velocity, and a force dipole
+/// without a moment, its adjoint, to the force:
+///
+///     u_m = sum_f [phi u_f + d P (G + G^T) n],    G_cj = (u_f)_c d phi/dx_mj,    P = I - n n^T
+///     F_f = sum_m [phi F_m + d (t (n.g) + n (t.g))],    t = P F_m,    g = d phi/dx_m
+struct ShearDipole {
+  std::span<const double> normals;  ///< unit, outwards, 3 a node; looked at if the length is not 0
+  double length = 0;                ///< d, grid steps
 };
 
 /// Couples any number of surfaces with one grid. Build the stencils once a step, at x(t): they serve the
@@ -69,10 +83,13 @@ class Coupler {
   /// Builds the stencils of all surfaces at the positions given (one span of 3 n numbers a surface). Whatever
   /// it throws, the old stencils stay.
   /// @throws StencilError if a stencil reaches beyond a wall with a weight other than 0, or a position is not
-  /// finite or more than 2^30 grid steps from the origin; the first such node is named
-  /// @throws std::invalid_argument if the size of a span is no multiple of 3
+  /// finite or more than 2^30 grid steps from the origin, or the normal of a dipole is not finite; the first
+  /// such node is named
+  /// @throws std::invalid_argument if the size of a span is no multiple of 3, or dipoles are not one a
+  /// surface, have other normals than nodes, a length that is not finite or a kernel without slopes
   /// @throws std::length_error if the stencils touch more than 2^31 - 1 grid nodes
-  void build(std::span<const std::span<const double>> surfaces);
+  /// @param dipoles one a surface, copied; none: no surface has one
+  void build(std::span<const std::span<const double>> surfaces, std::span<const ShearDipole> dipoles = {});
 
   /// Linear indices of the grid nodes that the stencils touch, each once, ascending: the order of all grid
   /// arrays below. The span is valid until the next build().
@@ -80,14 +97,14 @@ class Coupler {
   /// The same list, for those who want to hold it longer: it does not change any more.
   std::shared_ptr<const std::vector<std::int64_t>> grid_node_list() const;
 
-  /// u_m = sum_f delta(x_f - x_m) u_f (Eq. 2.3).
+  /// u_m = sum_f delta(x_f - x_m) u_f (Eq. 2.3), and what the dipoles add.
   /// @param grid_velocity 3 x grid_nodes()
   /// @param node_velocity overwritten, a span a surface
   /// @throws std::invalid_argument if an array has another size than the stencils need
   void interpolate(std::span<const double> grid_velocity,
                    std::span<const std::span<double>> node_velocity) const;
 
-  /// F_f = sum_m delta(x_f - x_m) F_m (Eq. 2.1).
+  /// F_f = sum_m delta(x_f - x_m) F_m (Eq. 2.1), and what the dipoles add.
   /// @param node_force a span a surface
   /// @param grid_force 3 x grid_nodes(), overwritten
   /// @throws std::invalid_argument if an array has another size than the stencils need

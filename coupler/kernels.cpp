@@ -64,6 +64,44 @@ double peskin4(double distance) {
   return (5.0 - 2.0 * r - std::sqrt(-7.0 + 12.0 * r - 4.0 * r * r)) / 8.0;
 }
 
+double cosine4_slope(double distance) {
+  const double r = std::abs(distance);
+  if (r >= 2.0) return 0.0;
+  return -std::copysign(std::numbers::pi / 8.0, distance) * quarter_cosine(std::abs(1.0 - r));
+}
+
+double roma3_slope(double distance) {
+  const double r = std::abs(distance);
+  if (r >= 1.5) return 0.0;
+  if (r <= 0.5) return -distance / std::sqrt(1.0 - 3.0 * r * r);
+  const double complement = 1.0 - r;
+  const double slope = -0.5 - 0.5 * complement / std::sqrt(1.0 - 3.0 * complement * complement);
+  return std::copysign(slope, -distance);
+}
+
+double peskin4_slope(double distance) {
+  const double r = std::abs(distance);
+  if (r >= 2.0) return 0.0;
+  const double slope = r <= 1.0 ? (-1.0 + (1.0 - 2.0 * r) / std::sqrt(1.0 + 4.0 * r - 4.0 * r * r)) / 4.0
+                                : (-1.0 - (3.0 - 2.0 * r) / std::sqrt(-7.0 + 12.0 * r - 4.0 * r * r)) / 4.0;
+  return distance < 0.0 ? -slope : slope;
+}
+
+/// At a kink that towards lesser distances, at all points of a phase alike, so that linear fields keep their
+/// slope.
+double linear2_slope(double distance) {
+  if (distance <= -1.0 || distance > 1.0) return 0.0;
+  return distance <= 0.0 ? 1.0 : -1.0;
+}
+
+/// Kernel::slopes by a function of one distance.
+template <double (*slope)(double), int width>
+void slopes_one_by_one(int n, const double* first_distances, double* slopes) {
+  for (int k = 0; k < n; ++k) {
+    for (int point = 0; point < width; ++point) *slopes++ = slope(first_distances[k] + point);
+  }
+}
+
 /// The hat function, that is trilinear interpolation (Krueger et al. 2017, doi:10.1007/978-3-319-44649-3,
 /// Sect. 11.4).
 double linear2(double distance) {
@@ -118,6 +156,33 @@ double stockie6(double distance) {
   return points[point];
 }
 
+/// d points/dr of stockie6_points(), by the derivative of their quadratic equation.
+inline void stockie6_point_slopes(double first_distance, double (&slopes)[6]) {
+  const double r = first_distance + 3.0, r2 = r * r, r3 = r * r2;
+  const double b = 2.25 - 1.5 * r2 + (22.0 * r - 7.0 * r3) / 3.0;
+  const double db = -3.0 * r + 22.0 / 3.0 - 7.0 * r2;
+  const double g = r2 * (161.0 - 109.0 * r2 + 20.0 * r2 * r2) / 288.0;
+  const double dg = r * (322.0 - 436.0 * r2 + 120.0 * r2 * r2) / 288.0;
+  // The lowest point x solves 28 x^2 + b x + g = 0.
+  const double root = std::sqrt(b * b - 112.0 * g), lowest = -2.0 * g / (b + root);
+  const double dlowest = -(db * lowest + dg) / root;
+  const double even = r / 4.0, odd = (3.0 * r2 - 1.0) / 12.0;
+  slopes[0] = dlowest;
+  slopes[1] = -3.0 * dlowest + even + odd;
+  slopes[2] = 2.0 * dlowest + (4.0 - 3.0 * r2) / 6.0;
+  slopes[3] = 2.0 * dlowest - 0.5 * r;
+  slopes[4] = -3.0 * dlowest - (4.0 - 3.0 * r2) / 6.0;
+  slopes[5] = dlowest + even - odd;
+}
+
+void stockie6_slopes(int n, const double* first_distances, double* slopes) {
+  for (int k = 0; k < n; ++k) {
+    double of_one[6];
+    stockie6_point_slopes(first_distances[k], of_one);
+    slopes = std::copy_n(of_one, 6, slopes);
+  }
+}
+
 }  // namespace
 
 const std::vector<Kernel>& kernels() {
@@ -125,24 +190,24 @@ const std::vector<Kernel>& kernels() {
       {"stockie6",
        "6 points, square root (Stockie 1997): partition of unity, first and second moment, even-odd "
        "condition, sum of squares 67/128; weights down to -0.065",
-       3.0, true, true, stockie6, stockie6_weights},
+       3.0, true, true, stockie6, stockie6_weights, stockie6_slopes},
       {"peskin4",
        "4 points, square roots (Peskin 2002): partition of unity, first moment, even-odd condition, sum of "
        "squares 3/8",
-       2.0, true, false, peskin4, nullptr},
+       2.0, true, false, peskin4, nullptr, slopes_one_by_one<peskin4_slope, 4>},
       {"cosine4",
        "(1 + cos(pi r/2))/4, 4 points (Peskin 1977; Eq. 2.2): partition of unity, even-odd condition, sum of "
        "squares 3/8; the first moment does not vanish (at most 0.021)",
-       2.0, false, false, cosine4, cosine4_weights},
+       2.0, false, false, cosine4, cosine4_weights, slopes_one_by_one<cosine4_slope, 4>},
       {"roma3",
        "3 points (Roma, Peskin and Berger 1999): partition of unity, first moment, sum of squares 1/2; no "
        "even-odd condition",
-       1.5, true, false, roma3, nullptr},
+       1.5, true, false, roma3, nullptr, slopes_one_by_one<roma3_slope, 3>},
       {"linear2",
        "1 - |r|, 2 points (trilinear interpolation): partition of unity, first moment; no even-odd "
        "condition, "
        "sum of squares between 1/2 and 1",
-       1.0, true, false, linear2, nullptr},
+       1.0, true, false, linear2, nullptr, slopes_one_by_one<linear2_slope, 2>},
   };
   return all;
 }

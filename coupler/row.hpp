@@ -34,6 +34,16 @@ class Row {
     for (int k = 0; k < n_ones; ++k) ones_[k] += weight * source[length - 1];
   }
 
+  /// Adds weight times the numbers of another.
+  __attribute__((always_inline)) void add(double weight, const Row& other) {
+#pragma GCC unroll 8
+    for (int k = 0; k < n_fours; ++k) fours_[k] += weight * other.fours_[k];
+#pragma GCC unroll 8
+    for (int k = 0; k < n_twos; ++k) twos_[k] += weight * other.twos_[k];
+#pragma GCC unroll 8
+    for (int k = 0; k < n_ones; ++k) ones_[k] += weight * other.ones_[k];
+  }
+
   /// Adds weight times this to the numbers at `target`.
   __attribute__((always_inline)) void add_to(double weight, double* target) const {
 #pragma GCC unroll 8

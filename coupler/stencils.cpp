@@ -48,8 +48,11 @@ StencilBuilder::StencilBuilder(const Grid& grid, const Kernel& kernel, int n_sha
       counts_(n_shares, Counts{std::vector<std::size_t>(grid.nodes[2]), std::vector<std::size_t>(n_shares)}) {
 }
 
-void StencilBuilder::build(std::span<const std::span<const double>> surfaces, Stencils& stencils) {
+void StencilBuilder::build(std::span<const std::span<const double>> surfaces,
+                           std::span<const ShearDipole> dipoles, Stencils& stencils) {
   resize(surfaces, stencils);
+  check_dipoles(dipoles, stencils);
+  take_dipoles(dipoles, stencils);
   weigh(surfaces, stencils);
   cut_grid(stencils);
   list_share_nodes(stencils);
@@ -89,7 +92,8 @@ void StencilBuilder::weigh(std::span<const std::span<const double>> surfaces, St
     for (std::size_t begin = range.begin, end; begin < range.end; begin = end) {
       const std::size_t s = surface.of(begin);
       end = std::min({range.end, stencils.first_node[s + 1], begin + weighed_at_once});
-      weigh_nodes(&surfaces[s][3 * surface.node(begin)], begin, end, stencils, counts);
+      weigh_nodes(&surfaces[s][3 * surface.node(begin)], begin, end, stencils.dipole_length(s) != 0, stencils,
+                  counts);
       if (counts.first_refused < n) break;
     }
   }
@@ -103,7 +107,7 @@ void StencilBuilder::weigh(std::span<const std::span<const double>> surfaces, St
 
 // @param positions of the node `begin` and on
 void StencilBuilder::weigh_nodes(const double* positions, std::size_t begin, std::size_t end,
-                                 Stencils& stencils, Counts& counts) const {
+                                 bool with_slopes, Stencils& stencils, Counts& counts) const {
   const int n_coordinates = static_cast<int>(3 * (end - begin));
   double lowest[3 * weighed_at_once], distances[3 * weighed_at_once];
   for (int k = 0; k < n_coordinates; ++k) {
@@ -113,11 +117,14 @@ void StencilBuilder::weigh_nodes(const double* positions, std::size_t begin, std
   }
   double* weights = &stencils.weights[3 * begin * width_];
   weights_of(kernel_, n_coordinates, distances, weights);
+  double* slopes = with_slopes ? &stencils.slopes[3 * begin * width_] : nullptr;
+  if (with_slopes) slopes_of(kernel_, n_coordinates, distances, slopes);
   for (std::size_t m = begin; m < end; ++m) {
     auto& first = stencils.first[m];
     for (int axis = 0; axis < 3; ++axis) {
       const std::size_t k = 3 * (m - begin) + axis;
-      if (axes_[axis].fit(positions[k], lowest[k], first[axis], weights + k * width_) == Fit::inside)
+      if (axes_[axis].fit(positions[k], lowest[k], first[axis], weights + k * width_,
+                          with_slopes ? slopes + k * width_ : nullptr) == Fit::inside)
         continue;
       counts.first_refused = m;
       return;
@@ -267,7 +274,7 @@ void StencilBuilder::refuse(std::size_t surface, std::size_t node, const double*
     const auto lowest = axes_[axis].lowest(x);
     double weights[max_width];
     weights_of(kernel_, 1, &lowest.distance, weights);
-    const Fit fit = axes_[axis].fit(x, lowest.node, first, weights);
+    const Fit fit = axes_[axis].fit(x, lowest.node, first, weights, nullptr);
     if (fit == Fit::inside) continue;
     if (fit == Fit::not_finite) {
       message << axis_name[axis] << " is not finite";

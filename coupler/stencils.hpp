@@ -32,6 +32,9 @@ struct Stencils {
   int width = 0;
   std::vector<std::size_t> first_node = {0};  ///< membrane nodes before each surface; at the end, of all
   std::vector<double> weights;                ///< [m][axis][width]
+  std::vector<ShearDipole> dipoles;           ///< a surface, or none; their normals are gone, but for:
+  std::vector<double> normals;                ///< [m][3], of surfaces with a dipole
+  std::vector<double> slopes;                 ///< [m][axis][width], d weight/dx_m, likewise
   std::vector<std::array<int, 3>> first;      ///< [m] lowest grid index along each axis, within the grid
   std::vector<std::int32_t> run;              ///< [m][z][y] number of the first grid node of each row
   std::vector<std::int32_t> across;           ///< [m] its place in across_run, in stencils; -1: not across x
@@ -44,6 +47,8 @@ struct Stencils {
 
   std::size_t n_surfaces() const { return first_node.size() - 1; }
   std::size_t n_nodes() const { return first_node.back(); }
+  /// d of the surface's shear dipole.
+  double dipole_length(std::size_t surface) const { return dipoles.empty() ? 0 : dipoles[surface].length; }
 };
 
 /// Membrane nodes `begin` to `end` - 1: a share of the work on them.
@@ -83,7 +88,8 @@ class StencilBuilder {
 
   /// Fills `stencils` anew; its memory is used again. After a throw it holds nothing of use.
   /// @throws StencilError, std::invalid_argument, std::length_error: as Coupler::build()
-  void build(std::span<const std::span<const double>> surfaces, Stencils& stencils);
+  void build(std::span<const std::span<const double>> surfaces, std::span<const ShearDipole> dipoles,
+             Stencils& stencils);
 
  private:
   /// What a share of the membrane nodes counts.
@@ -96,8 +102,10 @@ class StencilBuilder {
 
   void resize(std::span<const std::span<const double>> surfaces, Stencils& stencils) const;
   void weigh(std::span<const std::span<const double>> surfaces, Stencils& stencils);
-  void weigh_nodes(const double* positions, std::size_t begin, std::size_t end, Stencils& stencils,
-                   Counts& counts) const;
+  void weigh_nodes(const double* positions, std::size_t begin, std::size_t end, bool with_slopes,
+                   Stencils& stencils, Counts& counts) const;
+  void check_dipoles(std::span<const ShearDipole> dipoles, const Stencils& stencils) const;
+  void take_dipoles(std::span<const ShearDipole> dipoles, Stencils& stencils) const;
   void cut_grid(Stencils& stencils);
   void list_share_nodes(Stencils& stencils);
   void mark(Stencils& stencils);

@@ -64,24 +64,28 @@ double tangential_shortfall(const Kernel& kernel) {
 }
 
 TangentialCorrection::TangentialCorrection(const Coupler& coupler, double viscosity)
-    : TangentialCorrection(coupler, std::vector{viscosity}) {}
-
-TangentialCorrection::TangentialCorrection(const Coupler& coupler, std::vector<double> viscosities)
     : kernel_(coupler.kernel()) {
-  if (viscosities.empty())
-    throw std::invalid_argument("coupler: a tangential correction without a viscosity");
-  const double of_kernel = tangential_shortfall(kernel_), squares = square_sum(kernel_);
-  const bool one = std::ranges::all_of(viscosities, [&](double mu) { return mu == viscosities.front(); });
-  for (const double viscosity : viscosities) {
-    if (!(viscosity > 0 && std::isfinite(viscosity))) {
-      throw std::invalid_argument("coupler: the viscosity of a tangential correction is " +
-                                  std::to_string(viscosity) + ", must be positive");
+  if (!(viscosity > 0 && std::isfinite(viscosity))) {
+    throw std::invalid_argument("coupler: the viscosity of a tangential correction is " +
+                                std::to_string(viscosity) + ", must be positive");
+  }
+  mobilities_.push_back({1, tangential_shortfall(kernel_) / (viscosity * square_sum(kernel_))});
+}
+
+TangentialCorrection::TangentialCorrection(const Coupler& coupler, const Shortfalls& shortfalls)
+    : kernel_(coupler.kernel()) {
+  if (shortfalls.of_surfaces.empty())
+    throw std::invalid_argument("coupler: a tangential correction without a shortfall");
+  const double squares = square_sum(kernel_);
+  for (const double shortfall : shortfalls.of_surfaces) {
+    if (!(shortfall >= 0 && std::isfinite(shortfall))) {
+      throw std::invalid_argument("coupler: a shortfall of a tangential correction is " +
+                                  std::to_string(shortfall) + ", must not be negative");
     }
-    const double mobility = of_kernel / (viscosity * squares);
-    mobilities_.push_back(one ? Mobility{1, mobility} : Mobility{std::sqrt(mobility), std::sqrt(mobility)});
+    const double half = std::sqrt(shortfall / squares);
+    mobilities_.push_back({half, half});
   }
   n_surfaces_ = mobilities_.size() > 1 ? mobilities_.size() : 0;
-  if (one) mobilities_.resize(1);
 }
 
 void TangentialCorrection::add(const Coupler& coupler, std::span<const std::span<const double>> normals,
@@ -105,7 +109,7 @@ void TangentialCorrection::add(const Coupler& coupler, std::span<const std::span
   }
   const auto& transfer = *coupler.implementation_;
   transfer.check_surfaces("correction, force", force);
-  if (n_surfaces_ > 0) check_size("correction, viscosities", n_surfaces_, force.size());
+  if (n_surfaces_ > 0) check_size("correction, shortfalls", n_surfaces_, force.size());
   const bool finite = transfer.for_all_nodes([&](std::size_t surface, std::size_t node) {
     return is_finite(&normals[surface][3 * node]) && is_finite(&force[surface][3 * node]);
   });
@@ -118,16 +122,18 @@ void TangentialCorrection::add(const Coupler& coupler, std::span<const std::span
   auto& on_grid = *on_grid_;
   on_grid.resize(3 * coupler.grid_nodes().size());
   transfer.spread(
+      With::weights_alone,
       [&](std::size_t surface, std::size_t node, double* result) {
         const Vector along = tangential(&normals[surface][3 * node], &force[surface][3 * node]);
         for (int axis = 0; axis < 3; ++axis) result[axis] = mobility(surface).of_forces * along[axis];
       },
       on_grid);
-  transfer.interpolate(on_grid, [&](std::size_t surface, std::size_t node, const double* smoothed) {
-    const Vector along = tangential(&normals[surface][3 * node], smoothed);
-    for (int axis = 0; axis < 3; ++axis)
-      velocity[surface][3 * node + axis] += mobility(surface).of_velocities * along[axis];
-  });
+  transfer.interpolate(
+      With::weights_alone, on_grid, [&](std::size_t surface, std::size_t node, const double* smoothed) {
+        const Vector along = tangential(&normals[surface][3 * node], smoothed);
+        for (int axis = 0; axis < 3; ++axis)
+          velocity[surface][3 * node + axis] += mobility(surface).of_velocities * along[axis];
+      });
 }
 
 }  // namespace tanktread::coupler

@@ -33,8 +33,9 @@ double tangential_shortfall(const Kernel& kernel);
 ///
 ///     u_m += C/(mu S) P_m sum_f delta(x_f - x_m) sum_n delta(x_f - x_n) P_n F_n,    P = I - n n^T
 ///
-/// Surfaces may have viscosities of their own: 1/mu is then 1/sqrt(mu_m mu_n), which is the same within a
-/// surface and leaves the mobility symmetric between two.
+/// Surfaces may have shortfalls K of their own in the place of C/mu: K is then sqrt(K_m K_n), which is the
+/// same within a surface and leaves the mobility symmetric between two. The dipoles of a surface
+/// (ShearDipole) are in K, and not in these sums.
 ///
 /// The added mobility is symmetric and not negative. sum_m F_m.u_m over the added part is what the sharp flow
 /// dissipates more than the smoothed one. Results do not depend on the number of threads, to the last bit.
@@ -44,10 +45,13 @@ class TangentialCorrection {
   /// @param viscosity dynamic, mu of the fluid on both sides, lattice units
   /// @throws std::invalid_argument unless the viscosity is positive and finite
   TangentialCorrection(const Coupler& coupler, double viscosity);
-  /// @param viscosities one a surface, or one for all; of a fluid that has others on the two sides of a
-  /// membrane the harmonic mean
-  /// @throws std::invalid_argument if there is none, or one is not positive and finite
-  TangentialCorrection(const Coupler& coupler, std::vector<double> viscosities);
+
+  /// What each surface, or all, has in the place of C/mu.
+  struct Shortfalls {
+    std::vector<double> of_surfaces;  ///< of tangential_shortfall(); one a surface, or one for all
+  };
+  /// @throws std::invalid_argument if there is none, or one is negative or not finite
+  TangentialCorrection(const Coupler& coupler, const Shortfalls& shortfalls);
 
   /// @param coupler of the same kernel, with its stencils at the positions of the nodes; all arrays as its
   /// own
@@ -61,7 +65,7 @@ class TangentialCorrection {
            std::span<const std::span<const double>> force, std::span<const std::span<double>> velocity) const;
 
  private:
-  /// C/(mu S) as two factors, one for the forces and one for the velocities of a surface.
+  /// C/(mu S), or K/S, as two factors, one for the forces and one for the velocities of a surface.
   struct Mobility {
     double of_forces, of_velocities;
   };
@@ -71,7 +75,7 @@ class TangentialCorrection {
 
   Kernel kernel_;
   std::vector<Mobility> mobilities_;  ///< of each surface, or one for all
-  std::size_t n_surfaces_ = 0;        ///< that viscosities were given for; 0: for any number
+  std::size_t n_surfaces_ = 0;        ///< that shortfalls were given for; 0: for any number
   /// The force on the grid while add() is at work: memory that is used again. So two threads may not be in it
   /// at once.
   std::unique_ptr<std::vector<double>> on_grid_ = std::make_unique<std::vector<double>>();

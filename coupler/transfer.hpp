@@ -8,6 +8,7 @@
 #include <string>
 
 #include "coupler/coupler.hpp"
+#include "coupler/dipole_stencil.hpp"
 #include "coupler/node_stencil.hpp"
 #include "coupler/stencils.hpp"
 
@@ -19,6 +20,9 @@ inline void check_size(const std::string& what, std::size_t size, std::size_t ne
   throw std::invalid_argument("coupler: " + what + ": " + std::to_string(size) + " given, " +
                               std::to_string(needed) + " needed");
 }
+
+/// What of the stencils a transfer goes by.
+enum class With { weights_alone, dipoles };
 
 struct Coupler::Implementation {
   Implementation(const Grid& the_grid, const Kernel& kernel, int shares)
@@ -54,24 +58,24 @@ struct Coupler::Implementation {
 
   /// Calls take(surface, node, u_m) for every membrane node, from any thread.
   template <class Take>
-  void interpolate(std::span<const double> grid_velocity, const Take& take) const {
+  void interpolate(With with, std::span<const double> grid_velocity, const Take& take) const {
     if (stencils.n_nodes() == 0) return;
     for_width(stencils.width, [&]<int width>() {
 #pragma omp parallel for num_threads(n_shares) schedule(static, 1)
       for (int share = 0; share < n_shares; ++share)
-        interpolate_share<width>(share, grid_velocity.data(), take);
+        interpolate_share<width>(with, share, grid_velocity.data(), take);
     });
   }
 
   /// Overwrites grid_force. @param force force(surface, node, F_m) writes the three numbers; it is called
   /// more than once for some nodes, from any thread
   template <class Force>
-  void spread(const Force& force, std::span<double> grid_force) const {
+  void spread(With with, const Force& force, std::span<double> grid_force) const {
     if (stencils.n_nodes() == 0) return;
     for_width(stencils.width, [&]<int width>() {
 #pragma omp parallel for num_threads(n_shares) schedule(static, 1)
       for (int share = 0; share < n_shares; ++share)
-        spread_share<width>(stencils.shares[share], force, grid_force.data());
+        spread_share<width>(with, stencils.shares[share], force, grid_force.data());
     });
   }
 
@@ -82,14 +86,22 @@ struct Coupler::Implementation {
   Stencils next;      ///< being built, so that the old ones stay if that fails
 
  private:
+  bool has_dipole(With with, std::size_t surface) const {
+    return with == With::dipoles && stencils.dipole_length(surface) != 0;
+  }
+
   template <int width, class Take>
-  void interpolate_share(int share, const double* grid_velocity, const Take& take) const {
+  void interpolate_share(With with, int share, const double* grid_velocity, const Take& take) const {
     const NodeRange range(stencils.n_nodes(), share, n_shares);
     SurfaceOfNode surface(stencils.first_node);
     for (std::size_t m = range.begin; m < range.end; ++m) {
       double velocity[3];
-      NodeStencil<width>(stencils, m, grid.nodes[0]).take(grid_velocity, velocity);
       const std::size_t s = surface.of(m);
+      if (has_dipole(with, s)) {
+        DipoleStencil<width>(stencils, m, s, grid.nodes[0]).take(grid_velocity, velocity);
+      } else {
+        NodeStencil<width>(stencils, m, grid.nodes[0]).take(grid_velocity, velocity);
+      }
       take(s, surface.node(m), velocity);
     }
   }
@@ -97,17 +109,21 @@ struct Coupler::Implementation {
   // The share alone writes to its planes, and goes through their membrane nodes in order: every grid node
   // receives its parts in the order of the membrane nodes, however many shares there are.
   template <int width, class Force>
-  void spread_share(const GridShare& share, const Force& force, double* grid_force) const {
+  void spread_share(With with, const GridShare& share, const Force& force, double* grid_force) const {
     std::fill(grid_force + 3 * share.first_number, grid_force + 3 * share.last_number, 0.0);
     SurfaceOfNode surface(stencils.first_node);
     for (std::size_t k = share.first_node; k < share.last_node; ++k) {
       const std::size_t m = stencils.share_nodes[k], s = surface.of(m);
       double node_force[3];
       force(s, surface.node(m), node_force);
-      NodeStencil<width>(stencils, m, grid.nodes[0])
-          .give(
-              node_force, stencils.first[m][2], grid.nodes[2], [&](int z) { return share.has_plane(z); },
-              grid_force);
+      const auto has_plane = [&](int z) { return share.has_plane(z); };
+      if (has_dipole(with, s)) {
+        DipoleStencil<width>(stencils, m, s, grid.nodes[0])
+            .give(node_force, stencils.first[m][2], grid.nodes[2], has_plane, grid_force);
+      } else {
+        NodeStencil<width>(stencils, m, grid.nodes[0])
+            .give(node_force, stencils.first[m][2], grid.nodes[2], has_plane, grid_force);
+      }
     }
   }
 };

@@ -41,6 +41,8 @@ Case case_of(const CaseReader& reader) {
   if (!reader.has("coupler.tangential_correction")) {
     the_case.coupler.tangential_correction = is_corrected_by_default(the_case.coupler.kernel);
   }
+  if (!reader.has("coupler.shear_dipole"))
+    the_case.coupler.shear_dipole = the_case.coupler.tangential_correction;
   for (std::size_t k = 0; k < the_case.capsules.size(); ++k) {
     the_case.capsules[k].viscosity_ratio = the_case.flow.viscosity_ratio;
     for (const auto& key : schema()) {

@@ -94,6 +94,7 @@ struct CapsuleCase {
 struct CouplerCase {
   std::string kernel = "stockie6";
   bool tangential_correction = true;  ///< where a case does not say: by the kernel
+  bool shear_dipole = true;           ///< likewise: as the tangential correction
   bool keep_volume = false;
   double implicit_tolerance = 1e-3;  ///< of implicit viscosities: what their rates may be off
   int implicit_iterations = 1000;    ///< the most that a step may take

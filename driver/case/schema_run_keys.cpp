@@ -46,6 +46,10 @@ std::vector<Key> coupler_run_output_keys() {
           "coupler.tangential_correction", "",
           "gives nodes back the velocity that smoothing takes off them along the membrane")
           .preset(with_corrected_kernels()),
+      key<InCase<&Case::coupler, &CouplerCase::shear_dipole>>(
+          "coupler.shear_dipole", "",
+          "keeps the flows in and around a capsule of another viscosity from slipping past each other")
+          .preset("as coupler.tangential_correction"),
       key<InCase<&Case::coupler, &CouplerCase::keep_volume>>(
           "coupler.keep_volume", "",
           "moves nodes a little along the gradient of each capsule's volume, which stays the same then"),

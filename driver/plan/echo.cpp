@@ -88,9 +88,11 @@ void put_schedule(EchoTable& table, const Subject& subject, const std::string& n
             in_si(subject, static_cast<double>(interval), second, "s"), note);
 }
 
-std::string said_of(const CouplerCase& coupler) {
+std::string said_of(const Case& the_case) {
+  const auto& coupler = the_case.coupler;
   std::vector<std::string> parts;
   if (coupler.tangential_correction) parts.emplace_back("with the tangential correction");
+  if (coupler.shear_dipole && has_contrast(the_case)) parts.emplace_back("with the shear dipole");
   if (coupler.keep_volume) parts.emplace_back("the volume is kept");
   return fmt::format("{}", fmt::join(parts, "; "));
 }
@@ -100,7 +102,7 @@ void put_run(EchoTable& table, const Subject& subject) {
   const auto& p = subject.parameters;
   const auto n_steps = last_step_of(the_case, p);
   table.section("run");
-  table.row("kernel", the_case.coupler.kernel, "", said_of(the_case.coupler));
+  table.row("kernel", the_case.coupler.kernel, "", said_of(the_case));
   table.row("steps a shear time", fmt::format("{:.1f}", p.steps_per_shear_time),
             in_si(subject, p.steps_per_shear_time, second, "s"), "1/g");
   table.row("steps", fmt::format("{}", n_steps), in_si(subject, static_cast<double>(n_steps), second, "s"),
@@ -109,8 +111,7 @@ void put_run(EchoTable& table, const Subject& subject) {
   put_schedule(table, subject, "observables", the_case.output.observables_every);
   if (the_case.output.measures_every > 0)
     put_schedule(table, subject, "measures", the_case.output.measures_every);
-  if (the_case.output.energy_every > 0)
-    put_schedule(table, subject, "energy", the_case.output.energy_every);
+  if (the_case.output.energy_every > 0) put_schedule(table, subject, "energy", the_case.output.energy_every);
   put_schedule(table, subject, "membrane files", the_case.output.membrane_every);
   put_schedule(table, subject, "fluid files", the_case.output.fluid_every);
   put_schedule(table, subject, "checkpoints", the_case.run.checkpoint_every);

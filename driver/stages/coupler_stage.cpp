@@ -28,7 +28,8 @@ void run(const SpreadStage& stage) {
   const auto surfaces = surfaces_of(file, stage.in.string());
   const auto force = vectors_of(file, "total_force", surfaces, stage.in.string());
   const auto coupler = make_coupler(stage.the_case);
-  const auto grid_force = spread(*coupler, surfaces.positions, force);
+  const auto grid_force = spread(*coupler, make_node_corrections(stage.the_case, *coupler),
+                                 surfaces.positions, surfaces.triangles, force);
   exchange::write_grid(stage.out, grid_file(grid_force, "force", stage.the_case.flow.box,
                                             step_of(file.field_data, stage.in.string())));
 }
@@ -69,9 +70,9 @@ void run(const InterpolateStage& stage) {
   const auto grid = grid_vectors_of(exchange::read_grid(stage.grid), "velocity", stage.the_case.flow.box,
                                     stage.grid.string());
   const auto coupler = make_coupler(stage.the_case);
-  build_stencils(*coupler, surfaces.positions);
-  auto out = surface_file(surfaces, step_of(file.field_data, stage.in.string()));
   const auto corrections = make_node_corrections(stage.the_case, *coupler);
+  build_stencils(*coupler, corrections, surfaces.positions, surfaces.triangles);
+  auto out = surface_file(surfaces, step_of(file.field_data, stage.in.string()));
   NodeVectors force;
   if (corrections.along_membrane) force = forces_to_correct_by(file, surfaces, stage.in.string());
   try {

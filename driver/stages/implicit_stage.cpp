@@ -81,10 +81,10 @@ void run(const ImplicitStage& stage) {
   auto force = explicit_forces_of(file, surfaces, stage.in.string());
   const auto free = read_free_velocity(stage);
   const auto coupler = make_coupler(stage.the_case);
-  build_stencils(*coupler, surfaces.positions);
+  const auto corrections = make_node_corrections(stage.the_case, *coupler);
+  build_stencils(*coupler, corrections, surfaces.positions, surfaces.triangles);
   try {
-    add_implicit_forces(membranes, *coupler, make_node_corrections(stage.the_case, *coupler), free,
-                        implicit_settings(stage.the_case), force);
+    add_implicit_forces(membranes, *coupler, corrections, free, implicit_settings(stage.the_case), force);
   } catch (const std::invalid_argument& error) {  // a node that a stencil touches is not in the file
     throw InputError(stage.grid.string() + ": " + error.what());
   }

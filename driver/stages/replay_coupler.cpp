@@ -16,13 +16,13 @@ void feed(ReplayRecord& record, const Case& the_case) {
   }
   for (auto step = record.first_step(); step <= record.last_step(); ++step) {
     const auto before = record.surfaces_before(step);
-    build_stencils(*coupler, before.positions);
+    build_stencils(*coupler, corrections, before.positions, before.triangles);
     record.compare(Packet::node_velocity, step,
                    velocity_of_nodes(*coupler, corrections, record.grid(Packet::grid_velocity, step, true),
                                      before, record.force_before(step)));
-    record.compare(
-        Packet::grid_force, step,
-        spread(*coupler, record.nodes(Packet::positions, step), record.nodes(Packet::node_force, step)));
+    record.compare(Packet::grid_force, step,
+                   spread(*coupler, corrections, record.nodes(Packet::positions, step), before.triangles,
+                          record.nodes(Packet::node_force, step)));
     if (!inside) continue;
     const auto news = mark_inside(*inside, record.nodes(Packet::positions, step), before.triangles);
     record.compare(step, news, inside->marks());

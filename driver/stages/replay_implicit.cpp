@@ -22,9 +22,10 @@ void feed(ReplayRecord& record, const Case& the_case) {
   const auto settings = implicit_settings(the_case);
   for (auto step = record.first_step(); step <= record.last_step(); ++step) {
     const auto positions = record.nodes(Packet::positions, step);
+    const auto triangles = record.surfaces_before(step).triangles;
     // For the histories of the membranes; compared by --only membrane.
     nodal_forces(membranes, positions, record.nodes(Packet::node_velocity, step), step);
-    build_stencils(*coupler, positions);
+    build_stencils(*coupler, corrections, positions, triangles);
     auto force = record.nodes(Packet::explicit_force, step);
     add_implicit_forces(membranes, *coupler, corrections, record.grid(Packet::free_velocity, step, true),
                         settings, force);

@@ -1,3 +1,6 @@
+#include <algorithm>
+
+#include "coupler/two_fluids.hpp"
 #include "driver/system/components.hpp"
 #include "driver/units/flow_units.hpp"
 
@@ -16,16 +19,25 @@ std::unique_ptr<coupler::Coupler> make_coupler(const Case& the_case) {
 
 namespace {
 
-/// Of the fluid on both sides of each membrane. Where they differ the harmonic mean: the velocity along the
-/// membrane has the slopes (tau + f/2)/mu_i and (tau - f/2)/mu_o, with tau the mean of the stresses on both
-/// sides, and the kink that a force f makes is f (1/mu_i + 1/mu_o)/2 on either (docs/kernels.md).
-std::vector<double> viscosities_of_surfaces(const Case& the_case) {
+/// On the sides of each membrane.
+std::vector<coupler::SideViscosities> viscosities_of_sides(const Case& the_case) {
   const double outer = flow_parameters(the_case).kinematic_viscosity;  // density 1
-  std::vector<double> viscosities;
-  for (const auto& capsule : the_case.capsules)
-    viscosities.push_back(capsule.viscosity_ratio == 1 ? outer
-                                                       : outer * 2 / (1 + 1 / capsule.viscosity_ratio));
-  return viscosities;
+  std::vector<coupler::SideViscosities> sides;
+  for (const auto& capsule : the_case.capsules) sides.push_back({outer, capsule.viscosity_ratio * outer});
+  return sides;
+}
+
+coupler::TangentialCorrection correction_of(const std::vector<coupler::SideViscosities>& sides,
+                                            const std::vector<double>& dipole_lengths,
+                                            const coupler::Coupler& coupler) {
+  if (std::ranges::all_of(sides, [](const auto& side) { return side.inner == side.outer; }))
+    return {coupler, sides.front().outer};
+  coupler::TangentialCorrection::Shortfalls shortfalls;
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    shortfalls.of_surfaces.push_back(coupler::tangential_shortfall(
+        coupler.kernel(), sides[k], dipole_lengths.empty() ? 0 : dipole_lengths[k]));
+  }
+  return {coupler, shortfalls};
 }
 
 }  // namespace
@@ -33,10 +45,15 @@ std::vector<double> viscosities_of_surfaces(const Case& the_case) {
 NodeCorrections make_node_corrections(const Case& the_case, const coupler::Coupler& coupler) {
   NodeCorrections corrections;
   corrections.keeps_volume = the_case.coupler.keep_volume;
-  if (the_case.coupler.tangential_correction) {
-    corrections.along_membrane.emplace(coupler, viscosities_of_surfaces(the_case));
-    corrections.normals = std::make_unique<coupler::NodeNormals>(the_case.run.threads);
+  const auto sides = viscosities_of_sides(the_case);
+  if (the_case.coupler.shear_dipole && has_contrast(the_case)) {
+    for (const auto& side : sides)
+      corrections.dipole_lengths.push_back(coupler::dipole_length(coupler.kernel(), side));
   }
+  if (the_case.coupler.tangential_correction)
+    corrections.along_membrane.emplace(correction_of(sides, corrections.dipole_lengths, coupler));
+  if (corrections.along_membrane || !corrections.dipole_lengths.empty())
+    corrections.normals = std::make_unique<coupler::NodeNormals>(the_case.run.threads);
   return corrections;
 }
 

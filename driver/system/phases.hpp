@@ -29,9 +29,11 @@ class LongMove : public std::runtime_error {
 /// 1. fluid: the velocity u(t) on the nodes listed (Eq. 2.46).
 GridVectors grid_velocity(const fluid::Fluid& fluid, NodeList nodes, GridVectors memory = {});
 
-/// Builds the stencils of the capsules at their positions: for the spread there, and for the interpolation of
-/// the next step. @throws coupler::StencilError
-void build_stencils(coupler::Coupler& coupler, const NodeVectors& positions);
+/// Builds the stencils of the capsules at their positions, with the shear dipoles that they may have: for the
+/// spread there, and for the interpolation of the next step.
+/// @param triangles of the capsules, for the normals @throws coupler::StencilError
+void build_stencils(coupler::Coupler& coupler, const NodeCorrections& corrections,
+                    const NodeVectors& positions, const std::vector<Eigen::Matrix3Xi>& triangles);
 
 /// 2. coupler: the velocity u_m(t) of the nodes (Eq. 2.3), with the stencils at x(t):
 /// interpolated_velocity(), then correct_velocity(). Parameters and exceptions as there.
@@ -82,7 +84,9 @@ GridVectors free_velocity(const fluid::Fluid& fluid, NodeList nodes, GridVectors
 
 /// 5. and 7. coupler: stencils at x(t+1), and the grid force F(t+1) spread with them (Eq. 2.1):
 /// build_stencils(), then spread_force(). @throws coupler::StencilError
-GridVectors spread(coupler::Coupler& coupler, const NodeVectors& positions, const NodeVectors& force);
+GridVectors spread(coupler::Coupler& coupler, const NodeCorrections& corrections,
+                   const NodeVectors& positions, const std::vector<Eigen::Matrix3Xi>& triangles,
+                   const NodeVectors& force);
 
 /// The second of these, with the stencils as they are.
 GridVectors spread_force(const coupler::Coupler& coupler, const NodeVectors& force, GridVectors memory = {});

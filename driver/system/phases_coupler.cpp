@@ -6,27 +6,30 @@
 namespace tanktread::driver {
 namespace {
 
-std::span<const int> triangles_of(const Surfaces& surfaces, std::size_t surface) {
-  return numbers_of(surfaces.triangles[surface]);
-}
-
-std::vector<std::span<const int>> triangles_of(const Surfaces& surfaces) {
+std::vector<std::span<const int>> spans_of(const std::vector<Eigen::Matrix3Xi>& triangles) {
   std::vector<std::span<const int>> spans;
-  for (std::size_t k = 0; k < surfaces.triangles.size(); ++k) spans.push_back(triangles_of(surfaces, k));
+  for (const auto& matrix : triangles) spans.push_back(numbers_of(matrix));
   return spans;
 }
 
 void keep_volume(const Surfaces& surfaces, const std::vector<std::span<double>>& velocity) {
   const auto positions = views(surfaces.positions);
   for (std::size_t k = 0; k < velocity.size(); ++k) {
-    coupler::keep_volume(positions[k], triangles_of(surfaces, k), velocity[k]);
+    coupler::keep_volume(positions[k], numbers_of(surfaces.triangles[k]), velocity[k]);
   }
 }
 
 }  // namespace
 
-void build_stencils(coupler::Coupler& coupler, const NodeVectors& positions) {
-  coupler.build(views(positions));
+void build_stencils(coupler::Coupler& coupler, const NodeCorrections& corrections,
+                    const NodeVectors& positions, const std::vector<Eigen::Matrix3Xi>& triangles) {
+  std::vector<coupler::ShearDipole> dipoles;
+  if (!corrections.dipole_lengths.empty()) {
+    const auto normals = corrections.normals->find(views(positions), spans_of(triangles));
+    for (std::size_t k = 0; k < normals.size(); ++k)
+      dipoles.push_back({normals[k], corrections.dipole_lengths[k]});
+  }
+  coupler.build(views(positions), dipoles);
 }
 
 NodeVectors velocity_of_nodes(const coupler::Coupler& coupler, const NodeCorrections& corrections,
@@ -54,14 +57,16 @@ void correct_velocity(const coupler::Coupler& coupler, const NodeCorrections& co
                       const Surfaces& surfaces, const NodeVectors& force, NodeVectors& velocity) {
   const auto targets = targets_of(velocity);
   if (corrections.along_membrane) {
-    const auto normals = corrections.normals->find(views(surfaces.positions), triangles_of(surfaces));
+    const auto normals = corrections.normals->find(views(surfaces.positions), spans_of(surfaces.triangles));
     corrections.along_membrane->add(coupler, normals, views(force), targets);
   }
   if (corrections.keeps_volume) keep_volume(surfaces, targets);
 }
 
-GridVectors spread(coupler::Coupler& coupler, const NodeVectors& positions, const NodeVectors& force) {
-  build_stencils(coupler, positions);
+GridVectors spread(coupler::Coupler& coupler, const NodeCorrections& corrections,
+                   const NodeVectors& positions, const std::vector<Eigen::Matrix3Xi>& triangles,
+                   const NodeVectors& force) {
+  build_stencils(coupler, corrections, positions, triangles);
   return spread_force(coupler, force);
 }
 

@@ -40,10 +40,10 @@ void restore(System& system, const SavedState& state) {
     throw InputError(fmt::format("{}: does not fit the case: {}", state.folder.string(), error.what()));
   }
   try {
-    build_stencils(*system.coupler, state.positions);
+    const auto triangles = surfaces_of(system.membranes).triangles;
+    build_stencils(*system.coupler, system.corrections, state.positions, triangles);
     // The fluid's state has the viscosities already.
-    if (system.inside)
-      mark_inside(*system.inside, state.positions, surfaces_of(system.membranes).triangles, true);
+    if (system.inside) mark_inside(*system.inside, state.positions, triangles, true);
   } catch (const coupler::StencilError& error) {
     throw InputError(fmt::format("{}: {}", state.folder.string(), error.what()));
   } catch (const coupler::InsideError& error) {

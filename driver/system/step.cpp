@@ -70,7 +70,7 @@ void advance_phases(System& system, Passage& passage) {
   });
 
   // 5. Stencils at x(t+1).
-  timed(seconds.stencils, [&] { build_stencils(coupler, positions); });
+  timed(seconds.stencils, [&] { build_stencils(coupler, system.corrections, positions, before.triangles); });
 
   // 6. Viscous forces that depend on u_m(t+1), from u(t+1) without F(t+1).
   if (any_implicit(system.membranes)) {

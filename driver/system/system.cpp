@@ -35,7 +35,8 @@ System make_system(const Case& the_case, const Parameters& parameters,
   system.membranes = make_membranes(the_case, parameters, meshes);
   system.node_velocity = system.node_force = zero_like(positions_of(system.membranes));
   try {
-    build_stencils(*system.coupler, positions_of(system.membranes));
+    const auto surfaces = surfaces_of(system.membranes);
+    build_stencils(*system.coupler, system.corrections, surfaces.positions, surfaces.triangles);
   } catch (const coupler::StencilError& error) {
     throw InputError(
         fmt::format("{}; move the capsule (capsule.N.position) or enlarge flow.box", error.what()));

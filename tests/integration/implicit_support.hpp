@@ -129,7 +129,8 @@ inline LookedAt advance_and_look(System& system, const Case& the_case) {
     const auto* viscosity = std::as_const(system.membranes[k]).implicit_viscosity();
     if (viscosity != nullptr) before[k] = *viscosity;
   }
-  build_stencils(*plain.coupler, positions_of(plain.membranes));
+  const auto surfaces = surfaces_of(plain.membranes);
+  build_stencils(*plain.coupler, plain.corrections, surfaces.positions, surfaces.triangles);
 
   advance(plain);
   advance(system);
