@@ -34,7 +34,7 @@ struct Kernel {
   /// called for each.
   void (*weights)(int n, const double* first_distances, double* weights);
   /// The derivative d phi/dr of those points, likewise; needed by surfaces with a shear dipole only. Where
-  /// phi has a kink, the mean of the slopes on both sides. Null: such surfaces are refused.
+  /// phi has a kink, that of one side, the same at all points of a phase. Null: such surfaces are refused.
   void (*slopes)(int n, const double* first_distances, double* slopes) = nullptr;
 };
 
