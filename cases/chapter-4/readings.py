@@ -83,8 +83,8 @@ def _contour(directory, axes, start, end, longest):
 
 
 def _dissipation(directory, start, end):
-    """The mean dissipation of membrane and inner fluid of a run, in mu_o g^2 a^3; NaN without energy.csv, and of the inner fluid where its column is 0
-    (in a fluid of one viscosity the program does not mark what is inside)."""
+    """The mean dissipation of membrane and inner fluid of a run, in mu_o g^2 a^3; NaN without energy.csv, and of the inner fluid where its column is
+    not a number or 0 (with one viscosity, up to commit ec4822b)."""
     names = ("membrane_dissipation", "inner_dissipation")
     if not (directory / "energy.csv").is_file():
         return dict.fromkeys(names, math.nan)
