@@ -63,6 +63,7 @@ bool NodeNormals::take_in_positions(std::span<const std::span<const double>> pos
   positions_.resize(3 * first_node_.back());
   for (std::size_t s = 0; s < positions.size(); ++s) {
     double* known = positions_.data() + 3 * first_node_[s];
+    if (positions[s].empty()) continue;
     if (!are_others && std::memcmp(known, positions[s].data(), positions[s].size_bytes()) == 0) continue;
     are_others = true;
     std::ranges::copy(positions[s], known);
