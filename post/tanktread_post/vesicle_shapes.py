@@ -84,7 +84,8 @@ class _Solution:
 
 
 def shape(branch, v, points=201, tolerance=TOLERANCE):
-    """The shape of reduced volume v on a branch: "oblate", "prolate" or "stomatocyte"; InputError where it has none. In a second or two."""
+    """The shape of reduced volume v on a branch: "oblate", "prolate" or "stomatocyte"; InputError where it has none. Takes a second, some
+    below v = 0.3."""
     if branch not in _BEGINNINGS:
         raise InputError(f'branch "{branch}": it must be one of {", ".join(_BEGINNINGS)}')
     if not LEAST_VOLUME <= v < 1:
