@@ -108,14 +108,38 @@ def _table(settings, comparisons, quantity, relative, band, digits, **more):
     return Table(f"{QUANTITIES[quantity]}; band {shown(band, relative, '')}", header, list(rows), verdicts, **more)
 
 
+def fine_grid(comparisons, quantity):
+    """{(viscosity ratio, triangles): (where the unbounded value goes with a wide radius, by the line in 1/a^2, reference or None)}."""
+    by_mesh = collections.defaultdict(list)
+    for one in comparisons:
+        if not math.isnan(one.limit(quantity)):
+            by_mesh[one.series.viscosity_ratio, one.series.triangles].append(one)
+    limits = {}
+    for mesh, those in by_mesh.items():
+        if len(those) > 1:
+            limit = intercept([one.series.radius**-2 for one in those], [one.limit(quantity) for one in those])
+            limits[mesh] = limit, those[0].reference and those[0].reference[quantity]
+    return limits
+
+
+def _fine_table(comparisons):
+    rows = []
+    for quantity, relative, digits in (("deformation", True, 5), ("inclination_deg", False, 3)):
+        for (ratio, triangles), (limit, wanted) in fine_grid(comparisons, quantity).items():
+            held = ("", "") if wanted is None else (_text(wanted, digits), shown(difference(limit, wanted, relative), relative))
+            rows.append((QUANTITIES[quantity], f"{ratio:g}", f"{triangles}", _text(limit, digits), *held, "shown only"))
+    return Table("where the unbounded values go with the radius, by 1/a^2", ("", "lambda", "triangles", "fine grid", "reference", "difference", ""), rows)
+
+
 def tables(output, case):
-    """D and inclination in the unbounded fluid against the reference, of which one viscosity ratio and radius is judged."""
+    """D and inclination in the unbounded fluid against the reference, of which one viscosity ratio and radius is judged; and in the limit of a fine grid."""
     settings, comparisons = compare(output, case)
     said = [f"means over the last {settings['read_over']:g} shear times of each run"]
     farthest = max((r.volume for one in comparisons for r in one.readings), key=abs)
     volume = [f"the volume is within {100 * abs(farthest):.3f} % of that at rest in all runs"]
     deformation = _table(settings, comparisons, "deformation", True, settings["band"], 5, before=said)
-    return [deformation, _table(settings, comparisons, "inclination_deg", False, settings["inclination_band"], 3, after=volume)]
+    inclination = _table(settings, comparisons, "inclination_deg", False, settings["inclination_band"], 3, after=volume)
+    return [deformation, inclination, *([_fine_table(comparisons)] if fine_grid(comparisons, "deformation") else [])]
 
 
 def measured(output, case):

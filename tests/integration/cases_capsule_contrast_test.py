@@ -74,6 +74,17 @@ class CapsuleContrast(InFolder):
         code, text = self.compare()
         self.assertEqual((code, text.count("not judged yet"), text.count("shown only"), text.count("inside"), text.count("OUTSIDE")), (0, 2, 6, 0, 0))
 
+    def test_goes_to_a_fine_grid_by_the_square_of_the_grid_step(self):
+        for radius in (8.0, 16 / 3):
+            self.runs(0.25 * (1 + 1.28 / radius**2), 12.0 + 6.4 / radius**2, radius=radius)
+        found = capsule_contrast.compare(self.output, self.case)[1]
+        # The boxes are whole grid steps wide, and both lines exact.
+        for quantity, exact in (("deformation", 0.25), ("inclination_deg", 12.0)):
+            ((mesh, (limit, _)),) = capsule_contrast.fine_grid(found, quantity).items()
+            self.assertEqual(mesh, (5.0, 1280))
+            self.assertAlmostEqual(limit, exact, delta=1e-11)
+        self.assertIn("0.25000", self.compare()[1])
+
     def test_reads_the_end_of_a_run_and_the_farthest_volume(self):
         for box in (6, 9):
             folder = self.output / f"l5-box{box}"
