@@ -22,6 +22,7 @@ void add_diff_command(CLI::App& app, int& exit_code);
 void add_maxwell_study(CLI::App& study, int& exit_code);
 void add_noise_study(CLI::App& study, int& exit_code);
 void add_kernel_study(CLI::App& study, int& exit_code);
+void add_layers_study(CLI::App& study, int& exit_code);
 void add_twist_study(CLI::App& study, int& exit_code);
 
 }  // namespace tanktread::driver

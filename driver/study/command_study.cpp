@@ -11,6 +11,7 @@ void add_study_command(CLI::App& app, int& exit_code) {
   add_maxwell_study(*study, exit_code);
   add_noise_study(*study, exit_code);
   add_kernel_study(*study, exit_code);
+  add_layers_study(*study, exit_code);
   add_twist_study(*study, exit_code);
   put_missing_last(*study);
   mark_if_all_missing(*study, "the membrane or the coupler");
