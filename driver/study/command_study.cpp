@@ -6,7 +6,7 @@
 namespace tanktread::driver {
 
 void add_study_command(CLI::App& app, int& exit_code) {
-  auto* study = app.add_subcommand("study", "Study a component by itself, without a flow solver");
+  auto* study = app.add_subcommand("study", "Study components by themselves, against what is exact");
   study->require_subcommand(1);
   add_maxwell_study(*study, exit_code);
   add_noise_study(*study, exit_code);

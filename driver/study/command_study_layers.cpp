@@ -13,6 +13,7 @@ struct LayersArguments {
   std::vector<LayersFlow> flows = {LayersFlow::couette, LayersFlow::channel};
   std::vector<NodeViscosity> forms = {NodeViscosity::sharp, NodeViscosity::harmonic,
                                       NodeViscosity::arithmetic};
+  std::vector<std::string> kernels = {study.kernel};
   std::vector<double> ratios = {0.1, 0.2, 5, 10};
   std::vector<int> heights = {8, 16, 32, 64};
   std::string file;
@@ -23,6 +24,7 @@ std::vector<LayersStudy> studies_of(const LayersArguments& arguments) {
   std::vector<LayersStudy> studies = {arguments.study};
   studies = varied(studies, arguments.flows, [](auto& study, auto v) { study.flow = v; });
   studies = varied(studies, arguments.forms, [](auto& study, auto v) { study.form = v; });
+  studies = varied(studies, arguments.kernels, [](auto& study, const auto& v) { study.kernel = v; });
   studies = varied(studies, arguments.ratios, [](auto& study, double v) { study.viscosity_ratio = v; });
   return varied(studies, arguments.heights, [](auto& study, int v) { study.height = v; });
 }
@@ -62,7 +64,7 @@ void add_grid_options(CLI::App& command, LayersArguments& arguments) {
   add_number(command, "--places", study.n_places, "Places of the sheet in a grid step about there",
              between(1, LayersStudy::most_places))
       ->capture_default_str();
-  command.add_option("--kernel", study.kernel, names_text("Discrete delta", kernel_names()))
+  command.add_option("--kernel", arguments.kernels, names_text("Discrete delta", kernel_names()))
       ->capture_default_str();
 }
 

@@ -37,7 +37,7 @@ struct LayersStudy {
   double magic_parameter = 3.0 / 16.0;
   /// tau+ of the less viscous liquid. With a given magic parameter the steady flow does not depend on it; the
   /// larger it is, the fewer steps does the flow take.
-  double relaxation_time = 2;
+  double relaxation_time = 5;
   /// The flow is steady when no velocity changes by more than this share of the largest one in the time in
   /// which what differs from the steady flow falls by 1/e or more.
   double steadiness = 1e-9;

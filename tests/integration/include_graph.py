@@ -27,7 +27,7 @@ ROOMS = {
     "packets": ("program", "case"),  # what crosses a border, in memory and in files
     "outside": ("program", "case", "units", "packets"),  # a user's program in the place of a component
     "system": ("program", "case", "units", "packets", "outside"),  # the components put together; phases; the step
-    "study": ("program", "case"),  # one component against an exact answer, without a flow
+    "study": ("program", "case"),  # one component or two against an exact answer
     "stages": ("program", "case", "units", "packets", "outside", "system", "study"),  # one component from files; replay
     "plan": ("program", "case", "units", "packets", "outside", "system"),  # what a case will be and cost
     "run": ("program", "case", "units", "packets", "outside", "system", "stages", "plan"),  # the run and its output

@@ -150,6 +150,10 @@ STUDIES = [
     Row("a kernel that is none", "study strain-rate-noise --kernel round --out x.csv", ["round"]),
     Row("a grid of no nodes", "study strain-rate-noise --nodes 0 --out x.csv", ["nodes", "0"]),
     Row("an interval of no steps", "study strain-rate-noise --interval 0 --out x.csv", ["0"]),
+    Row("layers of no viscosity", "study layers --lambda 0 --out x.csv", ["--lambda 0: must be a number > 0"]),
+    Row("layers of a viscosity that is no form", "study layers --form soft --out x.csv", ["--form", "soft"]),
+    Row("layers with no room for the kernel", "study layers --height 4 --out x.csv", ["height of 4", "stockie6", "give a greater height"]),
+    Row("layers that take for ever", "study layers --height 8 --lambda 1e9 --out x.csv", ["falls by 1/e in", "viscosity ratio nearer to 1"]),
     Row("an approach that is none", "study twisting-sphere --approach air --out x.csv", ["--approach", "air"]),
     Row("a level that is none", "study twisting-sphere --level 12 --out x.csv", ["--level", "12"]),
 ]

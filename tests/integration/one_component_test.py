@@ -164,7 +164,7 @@ class OneComponent(unittest.TestCase):
     def test_a_study_of_another_component_is_missing_among_the_studies(self):
         text = self.call(alone("membrane"), "study --help").stdout
         self.assertEqual(listed(text, "Subcommands").keys(), {"maxwell"})
-        self.assertEqual(listed(text, "Left out of this program").keys(), {"strain-rate-noise", "kernel", "twisting-sphere"})
+        self.assertEqual(listed(text, "Left out of this program").keys(), {"strain-rate-noise", "kernel", "twisting-sphere", "layers"})
 
     def test_nothing_of_the_other_components_is_linked(self):
         for component in COMPONENTS:

@@ -38,6 +38,7 @@ class Outputs : public Stages {
         {{"study", "maxwell", "--k", "1", "--out"}, "--out", ".csv"},
         {{"study", "kernel", "--out"}, "--out", ".csv"},
         {{"study", "strain-rate-noise", "--interval", "1", "--out"}, "--out", ".csv"},
+        {{"study", "layers", "--height", "8", "--lambda", "1", "--form", "sharp", "--out"}, "--out", ".csv"},
         {{"study", "twisting-sphere", "--level", "0", "--period", "8", "--out"}, "--out", ".csv"}};
   }
   /// The command with its output there; --case behind it.

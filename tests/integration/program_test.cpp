@@ -24,6 +24,7 @@ TEST(Program, HelpAndVersionOnEveryLevel) {
                                                                    {"study"},
                                                                    {"study", "maxwell"},
                                                                    {"study", "strain-rate-noise"},
+                                                                   {"study", "layers"},
                                                                    {"study", "twisting-sphere"}}) {
     auto arguments = command;
     arguments.push_back("--help");
@@ -54,9 +55,17 @@ TEST(Program, StudiesComponents) {
   EXPECT_THAT(read_file(file_of("twisting-sphere")),
               AllOf(HasSubstr("\nsurface,80,20,0 0 1,30,,int2,0.75,theta-phi,"),
                     HasSubstr("\nflow,80,20,0 0 1,0,roma3,fd,0.25,phi-phi,")));
+  ASSERT_EQ(study({"layers", "--flow", "couette", "--form", "harmonic", "sharp", "--lambda", "5", "2",
+                   "--height", "8", "--kernel", "roma3"})
+                .exit_code,
+            0);
+  EXPECT_THAT(read_file(file_of("layers")), AllOf(HasSubstr("\ncouette,harmonic,roma3,0.1875,5,8,"),
+                                                  HasSubstr("\ncouette,sharp,roma3,0.1875,2,8,")));
   for (const auto& wrong : std::vector<std::vector<std::string>>{{"maxwell", "--scheme", "rk4"},
                                                                  {"maxwell", "--k", "-1"},
                                                                  {"strain-rate-noise", "--interval", "0"},
+                                                                 {"layers", "--flow", "pipe"},
+                                                                 {"layers", "--sheet", "0.05"},
                                                                  {"twisting-sphere", "--approach", "walk"},
                                                                  {"twisting-sphere", "--radius", "0"}}) {
     EXPECT_EQ(study(wrong).exit_code, 2) << wrong[0] << " " << wrong[2];
