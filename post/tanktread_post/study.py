@@ -1,4 +1,4 @@
-"""The tables of a case without a flow: study.toml, which lists them, and the values a comparison reads from them.
+"""The tables of a case without a run: study.toml, which lists them, and the values a comparison reads from them.
 
 A study.toml has any of
 

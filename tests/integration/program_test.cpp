@@ -1,4 +1,4 @@
-// The program's commands without a flow: help, studies, meshes.
+// The program's commands without a run: help, studies, meshes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
