@@ -83,7 +83,7 @@ class AxisStencil {
   /// @param lowest   the grid node of lowest(position)
   /// @param first    the lowest of them, 0 <= first < nodes; without a period first + width <= nodes as well
   /// @param weights  `width` numbers, phi(node - position) from the lowest node on; perhaps shifted
-  /// @param slopes   of these, shifted as they are; or null
+  /// @param slopes   of these, anew where they are shifted; or null
   /// @return anything but `inside`: first, weights and slopes are of no use
   Fit fit(double position, double lowest, int& first, double* weights, double* slopes) const {
     if (!std::isfinite(position)) return Fit::not_finite;
@@ -96,26 +96,25 @@ class AxisStencil {
     // A node beyond the wall is harmless where its weight is zero (a kernel just at the end of its reach):
     // the window then moves inside by one node, whose weight is zero as well.
     if (index < 0 && weights[0] == 0.0) {
-      shift_down(weights);
-      if (slopes != nullptr) shift_down(slopes);
+      std::copy(weights + 1, weights + width_, weights);
+      weights[width_ - 1] = 0.0;
       ++index;
+      if (slopes != nullptr) slopes_from(lowest + 1.0, position, slopes);
     } else if (index + width_ > nodes_ && weights[width_ - 1] == 0.0) {
-      shift_up(weights);
-      if (slopes != nullptr) shift_up(slopes);
+      std::copy_backward(weights, weights + width_ - 1, weights + width_);
+      weights[0] = 0.0;
       --index;
+      if (slopes != nullptr) slopes_from(lowest - 1.0, position, slopes);
     }
     first = static_cast<int>(index);
     return index >= 0 && index + width_ <= nodes_ ? Fit::inside : Fit::beyond_wall;
   }
 
  private:
-  void shift_down(double* numbers) const {
-    std::copy(numbers + 1, numbers + width_, numbers);
-    numbers[width_ - 1] = 0.0;
-  }
-  void shift_up(double* numbers) const {
-    std::copy_backward(numbers, numbers + width_ - 1, numbers + width_);
-    numbers[0] = 0.0;
+  /// Anew, for a slope beyond the wall need not be zero where the weight is (linear2 on a grid node).
+  void slopes_from(double node, double position, double* slopes) const {
+    const double distance = node - (position - 0.5);
+    slopes_of(kernel_, 1, &distance, slopes);
   }
 
   int wrapped(std::int64_t index) const {

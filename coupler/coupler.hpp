@@ -34,7 +34,7 @@ struct Kernel {
   /// called for each.
   void (*weights)(int n, const double* first_distances, double* weights);
   /// The derivative d phi/dr of those points, likewise; needed by surfaces with a shear dipole only. Where
-  /// phi has a kink, the mean of the slopes on both sides. Null: such surfaces are refused.
+  /// phi has a kink, that of one side, the same at all points of a phase. Null: such surfaces are refused.
   void (*slopes)(int n, const double* first_distances, double* slopes) = nullptr;
 };
 
@@ -82,13 +82,13 @@ class Coupler {
 
   /// Builds the stencils of all surfaces at the positions given (one span of 3 n numbers a surface). Whatever
   /// it throws, the old stencils stay.
+  /// @param dipoles one a surface, copied; none: no surface has one
   /// @throws StencilError if a stencil reaches beyond a wall with a weight other than 0, or a position is not
   /// finite or more than 2^30 grid steps from the origin, or the normal of a dipole is not finite; the first
   /// such node is named
   /// @throws std::invalid_argument if the size of a span is no multiple of 3, or dipoles are not one a
   /// surface, have other normals than nodes, a length that is not finite or a kernel without slopes
   /// @throws std::length_error if the stencils touch more than 2^31 - 1 grid nodes
-  /// @param dipoles one a surface, copied; none: no surface has one
   void build(std::span<const std::span<const double>> surfaces, std::span<const ShearDipole> dipoles = {});
 
   /// Linear indices of the grid nodes that the stencils touch, each once, ascending: the order of all grid

@@ -87,11 +87,12 @@ double peskin4_slope(double distance) {
   return distance < 0.0 ? -slope : slope;
 }
 
-/// At a kink that towards lesser distances, at all points of a phase alike, so that linear fields keep their
-/// slope.
-double linear2_slope(double distance) {
-  if (distance <= -1.0 || distance > 1.0) return 0.0;
-  return distance <= 0.0 ? 1.0 : -1.0;
+/// Of the lower and the upper point, at the kinks too: linear fields keep their slope, from either side.
+void linear2_slopes(int n, const double* /*first_distances*/, double* slopes) {
+  for (int k = 0; k < n; ++k) {
+    *slopes++ = 1.0;
+    *slopes++ = -1.0;
+  }
 }
 
 /// Kernel::slopes by a function of one distance.
@@ -207,7 +208,7 @@ const std::vector<Kernel>& kernels() {
        "1 - |r|, 2 points (trilinear interpolation): partition of unity, first moment; no even-odd "
        "condition, "
        "sum of squares between 1/2 and 1",
-       1.0, true, false, linear2, nullptr, slopes_one_by_one<linear2_slope, 2>},
+       1.0, true, false, linear2, nullptr, linear2_slopes},
   };
   return all;
 }

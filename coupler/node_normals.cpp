@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include "coupler/products.hpp"
@@ -56,6 +57,20 @@ void NodeNormals::take_in(std::size_t n_nodes, std::span<const int> triangles, S
   }
 }
 
+/// @return whether they are other ones, to the last bit, than those before
+bool NodeNormals::take_in_positions(std::span<const std::span<const double>> positions) {
+  bool are_others = positions_.size() != 3 * first_node_.back();
+  positions_.resize(3 * first_node_.back());
+  for (std::size_t s = 0; s < positions.size(); ++s) {
+    double* known = positions_.data() + 3 * first_node_[s];
+    if (positions[s].empty()) continue;
+    if (!are_others && std::memcmp(known, positions[s].data(), positions[s].size_bytes()) == 0) continue;
+    are_others = true;
+    std::ranges::copy(positions[s], known);
+  }
+  return are_others;
+}
+
 std::span<const std::span<const double>> NodeNormals::find(std::span<const std::span<const double>> positions,
                                                            std::span<const std::span<const int>> triangles) {
   if (triangles.size() != positions.size()) {
@@ -63,16 +78,19 @@ std::span<const std::span<const double>> NodeNormals::find(std::span<const std::
                                 std::to_string(positions.size()) + " and " +
                                 std::to_string(triangles.size()) + " surfaces");
   }
+  if (surfaces_.size() != positions.size()) positions_.clear();
   surfaces_.resize(positions.size());
   first_node_.assign(1, 0);
   for (std::size_t s = 0; s < positions.size(); ++s) {
     const std::size_t n_nodes = positions[s].size() / 3;
     if (!knows(s, n_nodes, triangles[s])) {
+      positions_.clear();  // what is found so far is of other triangles
       require_surface(positions[s].size(), triangles[s], "normals", positions[s].size());
       take_in(n_nodes, triangles[s], surfaces_[s]);
     }
     first_node_.push_back(first_node_.back() + n_nodes);
   }
+  if (!take_in_positions(positions) && of_surface_.size() == positions.size()) return of_surface_;
   normals_.resize(3 * first_node_.back());
   of_surface_.clear();
   for (std::size_t s = 0; s < positions.size(); ++s)

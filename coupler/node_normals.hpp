@@ -18,8 +18,9 @@ namespace tanktread::coupler {
 void node_normals(std::span<const double> positions, std::span<const int> triangles,
                   std::span<double> normals);
 
-/// The same for all surfaces, step after step: which triangles are around a node is found once, and all
-/// threads share the nodes of all surfaces. Results do not depend on their number, to the last bit.
+/// The same for all surfaces, step after step: which triangles are around a node is found once, normals of
+/// positions that are still those of the last call are not found again, and all threads share the nodes of
+/// all surfaces. Results do not depend on their number, to the last bit.
 class NodeNormals {
  public:
   /// @param threads OpenMP threads, 0: all @throws std::invalid_argument if it is negative
@@ -42,10 +43,12 @@ class NodeNormals {
 
   bool knows(std::size_t surface, std::size_t n_nodes, std::span<const int> triangles) const;
   static void take_in(std::size_t n_nodes, std::span<const int> triangles, Surface& surface);
+  bool take_in_positions(std::span<const std::span<const double>> positions);
 
   int n_threads_;
   std::vector<Surface> surfaces_;
   std::vector<std::size_t> first_node_ = {0};  ///< nodes before each surface; at the end, of all
+  std::vector<double> positions_;              ///< that normals_ are of
   std::vector<double> normals_;                ///< of all surfaces
   std::vector<std::span<const double>> of_surface_;
 };

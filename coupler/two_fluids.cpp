@@ -56,7 +56,7 @@ std::vector<double> density_with_cell(const Kernel& kernel, int cells_a_step) {
   return density;
 }
 
-/// <|r + b|>/4, to 1e-4 by these cells.
+/// <|r + b|>/4, to 2e-4 by these cells.
 double mean_distance(const Kernel& kernel) {
   constexpr int cells_a_step = 24;
   const double step = 1.0 / cells_a_step;

@@ -1,6 +1,6 @@
 # Tests in Python: post/, the scripts of cases/, the include graph. Included by tests/CMakeLists.txt in a build of everything.
 # Debian's Python, whatever else is in PATH: the packages are installed for it.
-set(TANKTREAD_PYTHON /usr/bin/python3 CACHE FILEPATH "Python with numpy, matplotlib, meshio and VTK")
+set(TANKTREAD_PYTHON /usr/bin/python3 CACHE FILEPATH "Python with numpy, scipy, matplotlib, meshio and VTK")
 find_program(TANKTREAD_XVFB_RUN xvfb-run)
 
 # tanktread_python_test(NAME [DISPLAY] [ARGUMENTS ...]): integration/NAME_test.py; with DISPLAY on a display of its own.
@@ -43,10 +43,13 @@ tanktread_python_test(post_kernel_theory ARGUMENTS $<TARGET_FILE:tanktread>)
 tanktread_python_test(post_measured)
 tanktread_python_test(post_paraview DISPLAY)
 tanktread_python_test(post_picture DISPLAY)
+tanktread_python_test(post_red_cell)
+tanktread_python_test(post_relaxation)
 tanktread_python_test(post_series)
 tanktread_python_test(post_study)
 tanktread_python_test(post_surface_files)
 tanktread_python_test(post_surface_text_files)
+tanktread_python_test(post_vesicle_shapes)
 tanktread_python_test(post_viscosity_contrast)
 tanktread_python_test(post_viscous_capsule)
 tanktread_python_test(waiting_threads ARGUMENTS $<TARGET_FILE:tanktread>)

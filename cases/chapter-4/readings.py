@@ -83,7 +83,8 @@ def _contour(directory, axes, start, end, longest):
 
 
 def _dissipation(directory, start, end):
-    """The mean dissipation of membrane and inner fluid of a run, in mu_o g^2 a^3; NaN without energy.csv."""
+    """The mean dissipation of membrane and inner fluid of a run, in mu_o g^2 a^3; NaN without energy.csv, and of the inner fluid where its column is
+    not a number or 0 (with one viscosity, up to commit ec4822b)."""
     names = ("membrane_dissipation", "inner_dissipation")
     if not (directory / "energy.csv").is_file():
         return dict.fromkeys(names, math.nan)
@@ -91,7 +92,7 @@ def _dissipation(directory, start, end):
     flow, radius = parameters["flow"], parameters["capsule"][0]["radius"]
     unit = flow["kinematic_viscosity"] * flow["shear_rate"] ** 2 * radius**3
     viscous = sum(energy.mean(name, start, end) for name in ("viscous_shear", "viscous_dilatational"))
-    return dict(zip(names, (viscous / unit, energy.mean("inner", start, end) / unit)))
+    return dict(zip(names, (viscous / unit, energy.mean("inner", start, end) / unit or math.nan)))
 
 
 def read_run(directory, settings):

@@ -58,10 +58,12 @@ double memory_needed_bytes(const Case& the_case, const std::vector<membrane::Tri
   double bytes = program + fluid_memory_bytes(the_case.flow);
   // A mark, a viscosity, and that in a state.
   if (has_contrast(the_case)) bytes += (4 + 8 + 8) * n_nodes(the_case.flow.box);
+  // Slopes and normals of two sets of stencils.
+  const double dipole = has_contrast(the_case) && the_case.coupler.shear_dipole ? 2 * (18 + 3) * 8 : 0;
   for (std::size_t k = 0; k < meshes.size(); ++k) {
     const auto& scheme = the_case.capsules[k].membrane.viscous.scheme;
     const double history = scheme == "none" ? 0 : scheme == implicit_scheme ? node_operator : node_history;
-    bytes += (node + history) * static_cast<double>(meshes[k].points.cols());
+    bytes += (node + history + dipole) * static_cast<double>(meshes[k].points.cols());
   }
   return bytes;
 }

@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
+#include "driver/system/components.hpp"
+#include "driver/system/inside_fluid.hpp"
 #include "driver/system/membrane_files.hpp"
 #include "driver/system/phases.hpp"
 
@@ -34,12 +38,32 @@ void add_membranes(const System& system, EnergyBudget& budget) {
   }
 }
 
-void add_dissipation(const System& system, EnergyBudget& budget) {
+/// Which nodes are inside, also where the fluid has one viscosity and the run need not know. Nothing where
+/// surfaces that overlap leave no answer.
+std::vector<std::int32_t> marks_now(const System& system, const Case& the_case) {
+  if (system.inside) return {system.inside->marks().begin(), system.inside->marks().end()};
+  coupler::InsideMarks marks(coupler_grid(the_case), system.threads);
+  const auto surfaces = surfaces_of(system.membranes);
+  try {
+    mark_inside(marks, surfaces.positions, surfaces.triangles, true);
+  } catch (const coupler::InsideError&) {
+    return {};
+  }
+  return {marks.marks().begin(), marks.marks().end()};
+}
+
+void add_dissipation(const System& system, const Case& the_case, EnergyBudget& budget) {
   std::vector<double> power(static_cast<std::size_t>(system.fluid->shape().size()));
   system.fluid->dissipation(power);
-  const auto marks = system.inside ? system.inside->marks() : std::span<const std::int32_t>();
+  const auto marks = marks_now(system, the_case);
   for (std::size_t node = 0; node < power.size(); ++node)
     (!marks.empty() && marks[node] > 0 ? budget.inner : budget.outer) += power[node];
+  if (marks.empty()) budget.inner = std::numeric_limits<double>::quiet_NaN();
+}
+
+/// What the dissipation inside takes off the budget: where it is not known apart, it is in that outside.
+double known(double inner) {
+  return std::isnan(inner) ? 0 : inner;
 }
 
 void add_flow(const System& system, const Case& the_case, EnergyBudget& budget) {
@@ -84,12 +108,12 @@ EnergyBudget energy_budget(const System& system, const Case& the_case) {
   budget.step = system.step;
   budget.shear_time = system.shear_time();
   add_membranes(system, budget);
-  add_dissipation(system, budget);
+  add_dissipation(system, the_case, budget);
   add_flow(system, the_case, budget);
   budget.walls = system.fluid->wall_power();
   const double kinetic_rate = next_kinetic_energy(*system.fluid) - budget.kinetic_energy;
   budget.remainder = budget.walls + budget.body_force - budget.elastic_power - budget.viscous_shear -
-                     budget.viscous_dilatational - budget.spring_power - budget.inner - budget.outer -
+                     budget.viscous_dilatational - budget.spring_power - known(budget.inner) - budget.outer -
                      budget.correction - kinetic_rate;
   return budget;
 }

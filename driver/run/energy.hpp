@@ -19,13 +19,14 @@ struct EnergyBudget {
   double viscous_shear = 0;         ///< dissipated in the membranes (ViscousPower)
   double viscous_dilatational = 0;  ///< likewise
   double spring_power = 0;          ///< taken up by the springs of Maxwell elements (ViscousPower)
-  double inner = 0;                 ///< sum 2 mu S:S over the nodes inside capsules (Fluid::dissipation); 0
-                                    ///< where the fluid has one viscosity: nodes are not marked then
-  double outer = 0;                 ///< over all others
-  double walls = 0;                 ///< power of the moving walls (Fluid::wall_power)
-  double body_force = 0;            ///< sum F_b.u
-  double correction = 0;            ///< sum F_m.(what was added to the interpolated velocity, for u_m)
-  double kinetic_energy = 0;        ///< sum rho u^2/2; without inertia rho = 1
+  /// sum 2 mu S:S over the nodes inside capsules (Fluid::dissipation). Not a number where capsules of the
+  /// viscosity outside overlap, so that inside and outside cannot be told: `outer` is that of all nodes then.
+  double inner = 0;
+  double outer = 0;           ///< over all others
+  double walls = 0;           ///< power of the moving walls (Fluid::wall_power)
+  double body_force = 0;      ///< sum F_b.u
+  double correction = 0;      ///< sum F_m.(what was added to the interpolated velocity, for u_m)
+  double kinetic_energy = 0;  ///< sum rho u^2/2; without inertia rho = 1
   /// walls + body_force - elastic_power - viscous_shear - viscous_dilatational - spring_power - inner - outer
   /// - correction - the rate of kinetic_energy over the step to come, under the present force.
   double remainder = 0;

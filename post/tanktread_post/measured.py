@@ -20,7 +20,7 @@ QUANTITIES = ("deformation", "inclination_deg", "length", "width", "breadth", "v
 PARAMETERS = ("elastic_law", "capillary_number", "capillary_modulus", "kernel", "radius", "box", "mesh", "shear_rate_by")
 COST = ("mlups", "fluid_percent", "coupler_percent", "membrane_percent")
 VISCOUS = ("scheme", "boussinesq_shear", "boussinesq_dilatational", "spring", "interval", "strain_sampling")
-SWITCHES = ("tangential_correction", "inertia", "keep_volume", "viscosity_ratio")  # true, or nothing; inertia: false, or nothing; a number, or nothing where it is 1
+SWITCHES = ("tangential_correction", "inertia", "keep_volume", "viscosity_ratio", "shear_dipole")  # true, or nothing; inertia: false, or nothing; a number, or nothing where it is 1; of another, true or nothing
 COLUMNS = ("run", *PARAMETERS, "shear_time", *QUANTITIES, *COST, *VISCOUS, *SWITCHES)
 OWN = ("results.csv", "means.csv")  # what is written here for any case
 MEANS = ("run", "from", "to", *QUANTITIES, "highest_deformation", "highest_at")  # means, but for the last two: over the whole run
@@ -64,6 +64,7 @@ def switches(echo):
         "inertia": "" if flow.get("inertia", True) else "false",
         "keep_volume": "true" if coupler.get("keep_volume") else "",
         "viscosity_ratio": "" if ratio == 1 else f"{ratio:g}",
+        "shear_dipole": "true" if coupler.get("shear_dipole") and ratio != 1 else "",
     }
 
 

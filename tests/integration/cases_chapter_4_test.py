@@ -42,7 +42,7 @@ def write_run(
     folder, ratio=1.0, shear=0.0, dilatational=0.0, deformation=0.4, inclination=20.0, swing=0.0, frequency=0.33, circumference=1.1, speed=0.36,
     extent=1.0, area=1.1, volume=1.0, membrane=0.0, inner=1.0, measures=True, energy=True, end=END,
 ):  # fmt: skip
-    """A run folder; D and the inclination swing by shares of their means, C* and V* likewise."""
+    """A run folder; D and the inclination swing by shares of their means, C* and V* likewise; inner None: what is inside is not marked."""
     viscous = {"scheme": "implicit", "boussinesq_shear": shear, "boussinesq_dilatational": dilatational}
     write_echo(folder, radius=RADIUS, capillary_number=0.3, modulus="E_s", shear_time=END, viscosity_ratio=ratio, viscous=viscous)
     with open(folder / "parameters.toml", "a") as stream:
@@ -66,7 +66,9 @@ def write_run(
         columns = {"step": numpy.arange(len(times)), "shear_time": times} | {name: 0 * times for name in names.split()}
         # Two parts of the membrane's, and a transient that is over when the means begin.
         early = (times < 30).astype(float)
-        columns |= {"viscous_shear": UNIT * (0.75 * membrane + early), "viscous_dilatational": UNIT * (0.25 * membrane + early), "inner": UNIT * (inner + early)}
+        columns |= {"viscous_shear": UNIT * (0.75 * membrane + early), "viscous_dilatational": UNIT * (0.25 * membrane + early)}
+        if inner is not None:
+            columns["inner"] = UNIT * (inner + early)
         write_table(folder / "energy.csv", columns)
 
 
@@ -142,6 +144,13 @@ class Chapter4(InFolder):
         self.assertIn(" l10-bqs0,", missing)
         self.assertNotIn(" l1-bqs0,", missing)
         self.assertIn("1 of 5 runs", self.line("D falls with lambda", "Bq_s = 0 "))
+
+    def test_runs_of_one_viscosity_whose_inside_is_not_marked_are_read(self):
+        self.run_at(1, 10, membrane=0.8, inner=None)
+        self.assertEqual(self.judged()[0], 0)
+        (r,) = self.read().values()
+        self.assertAlmostEqual(r.membrane_dissipation, 0.8, delta=1e-12)
+        self.assertTrue(math.isnan(r.inner_dissipation) and math.isnan(r.dissipation_ratio))
 
     def test_old_runs_without_measures_and_energy_are_read(self):
         self.run_at(1, 0, deformation=0.433, measures=False, energy=False)

@@ -12,6 +12,7 @@ namespace tanktread::coupler {
 namespace {
 
 using namespace test;
+using Shortfalls = TangentialCorrection::Shortfalls;
 
 const Grid box = {{20, 18, 22}, {true, true, true}};
 
@@ -99,58 +100,68 @@ struct TwoSurfaces {
     }
   }
   /// The velocities that a correction adds, of both surfaces one after the other.
-  template <class Viscosity>
+  template <class Missing>
   Numbers added(const Kernel& kernel, const Numbers& first, const Numbers& second,
-                const Viscosity& viscosity) const {
+                const Missing& viscosity_or_shortfalls) const {
     Coupler coupler(box, kernel, 1);
     build(coupler, {nodes[0], nodes[1]});
     Numbers velocity[2] = {Numbers(first.size()), Numbers(second.size())};
     const std::span<const double> n[] = {normals[0], normals[1]}, f[] = {first, second};
     const std::span<double> u[] = {velocity[0], velocity[1]};
-    TangentialCorrection(coupler, viscosity).add(coupler, n, f, u);
+    TangentialCorrection(coupler, viscosity_or_shortfalls).add(coupler, n, f, u);
     return joined({velocity[0], velocity[1]});
   }
 };
 
-TEST_P(TangentialKernels, HaveTheSameBitsByOneViscosityAndByAListOfIt) {
+TEST_P(TangentialKernels, AreTheSameByOneViscosityAndByTheShortfallsOfIt) {
   const TwoSurfaces two;
   const auto by_one = two.added(GetParam(), two.force[0], two.force[1], 0.3);
-  EXPECT_EQ(two.added(GetParam(), two.force[0], two.force[1], std::vector{0.3, 0.3}), by_one);
-  EXPECT_EQ(two.added(GetParam(), two.force[0], two.force[1], std::vector{0.3}), by_one);
+  const double shortfall = tangential_shortfall(GetParam()) / 0.3;
+  for (const auto& shortfalls : {Shortfalls{{shortfall, shortfall}}, Shortfalls{{shortfall}}}) {
+    const auto by_list = two.added(GetParam(), two.force[0], two.force[1], shortfalls);
+    for (std::size_t k = 0; k < by_one.size(); ++k) EXPECT_NEAR(by_list[k], by_one[k], rounding) << k;
+  }
 }
 
-TEST_P(TangentialKernels, AddASymmetricMobilityBetweenSurfacesOfTwoViscosities) {
+TEST_P(TangentialKernels, AddASymmetricMobilityBetweenSurfacesOfTwoShortfalls) {
   const TwoSurfaces two;
-  const std::vector<double> viscosities = {0.1, 0.7};
+  const Shortfalls shortfalls = {{2.5, 0.4}};
   const Numbers none[2] = {Numbers(270), Numbers(210)};
-  const auto by_first = two.added(GetParam(), two.force[0], none[1], viscosities);
-  const auto by_second = two.added(GetParam(), none[0], two.force[1], viscosities);
+  const auto by_first = two.added(GetParam(), two.force[0], none[1], shortfalls);
+  const auto by_second = two.added(GetParam(), none[0], two.force[1], shortfalls);
   // What each does to the other, by its own force there.
   const double at_second = dot(two.force[1], Numbers(by_first.begin() + 270, by_first.end())),
                at_first = dot(two.force[0], Numbers(by_second.begin(), by_second.begin() + 270));
   EXPECT_NEAR(at_first, at_second, rounding);
   EXPECT_GT(std::abs(at_first), 1e3 * rounding) << "they are too far apart to see each other";
-  // Within a surface it is by its own viscosity; between two by sqrt(mu_1 mu_2).
-  const auto first_by_unit = two.added(GetParam(), two.force[0], none[1], 1.0);
-  const double mean = std::sqrt(0.1 * 0.7);
+  // Within a surface it is by its own shortfall; between two by sqrt(K_1 K_2).
+  const auto first_by_unit = two.added(GetParam(), two.force[0], none[1], Shortfalls{{1.0}});
+  const double mean = std::sqrt(2.5 * 0.4);
   for (std::size_t k = 0; k < by_first.size(); ++k)
-    EXPECT_NEAR(by_first[k] * (k < 270 ? 0.1 : mean), first_by_unit[k], rounding) << k;
+    EXPECT_NEAR(by_first[k], first_by_unit[k] * (k < 270 ? 2.5 : mean), 2.5 * rounding) << k;
   // And it takes no energy from the fluid.
   EXPECT_GT(dot(joined({two.force[0], two.force[1]}),
-                two.added(GetParam(), two.force[0], two.force[1], viscosities)),
+                two.added(GetParam(), two.force[0], two.force[1], shortfalls)),
             0);
 }
 
-TEST(TangentialCorrection, RefusesAListThatIsNotOneASurface) {
+TEST(TangentialCorrection, LeavesASurfaceThatDoesNotFallShortAlone) {
+  const TwoSurfaces two;
+  const auto velocity = two.added(kernels().front(), two.force[0], two.force[1], Shortfalls{{0.0, 1.0}});
+  EXPECT_EQ(Numbers(velocity.begin(), velocity.begin() + 270), Numbers(270));
+  EXPECT_NE(Numbers(velocity.begin() + 270, velocity.end()), Numbers(210));
+}
+
+TEST(TangentialCorrection, RefusesShortfallsThatAreNotOneASurface) {
   const Coupler coupler(box, kernels().front(), 1);
-  EXPECT_THROW(TangentialCorrection(coupler, std::vector<double>{}), std::invalid_argument);
-  for (const double viscosity : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
-    const std::vector list = {0.2, viscosity};
-    EXPECT_THROW(TangentialCorrection(coupler, list), std::invalid_argument) << viscosity;
+  EXPECT_THROW(TangentialCorrection(coupler, Shortfalls{}), std::invalid_argument);
+  for (const double shortfall : {-1e-3, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    const Shortfalls list = {{0.2, shortfall}};
+    EXPECT_THROW(TangentialCorrection(coupler, list), std::invalid_argument) << shortfall;
   }
   const TwoSurfaces two;
   for (const double third : {0.2, 0.3}) {
-    const std::vector list = {0.2, 0.2, third};
+    const Shortfalls list = {{0.2, 0.2, third}};
     EXPECT_THROW(two.added(kernels().front(), two.force[0], two.force[1], list), std::invalid_argument);
   }
 }
