@@ -11,7 +11,7 @@
 #include "driver/packets/surface_mesh.hpp"
 #include "driver/program/errors.hpp"
 #include "driver/run/observables.hpp"
-#include "driver/run/observables_table.hpp"
+#include "driver/run/table_file.hpp"
 #include "exchange/difference.hpp"
 #include "exchange/vtk_files.hpp"
 #include "tests/fuzz/input_file.hpp"
@@ -163,14 +163,14 @@ void read_observables(std::string_view bytes) {
   put_bytes(file, bytes);
   std::vector<driver::TableRow> rows;
   try {
-    rows = driver::read_observables(file, driver::observables_header());
+    rows = driver::read_table(file, driver::observables_header());
   } catch (const FileError&) {
     return;
   }
-  driver::write_observables(file, driver::observables_header(), rows);
+  driver::write_table(file, driver::observables_header(), rows);
   const auto kept = bytes_of(file);
-  driver::write_observables(file, driver::observables_header(),
-                            driver::read_observables(file, driver::observables_header()));
+  driver::write_table(file, driver::observables_header(),
+                      driver::read_table(file, driver::observables_header()));
   require(bytes_of(file) == kept, "a table of whole rows was changed");
 }
 

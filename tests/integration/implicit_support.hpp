@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "driver/system/components.hpp"
+#include "driver/system/membrane_files.hpp"
 #include "driver/system/phases.hpp"
 #include "driver/system/step.hpp"
 
