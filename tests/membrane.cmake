@@ -1,5 +1,5 @@
 # Tests of membrane; included by tests/CMakeLists.txt when the component is built.
-add_library(membrane_test_support STATIC unit/membrane_law_list.cpp unit/membrane_support.cpp
+add_library(membrane_test_support STATIC unit/membrane_energy_list.cpp unit/membrane_law_list.cpp unit/membrane_support.cpp
   unit/membrane_viscous_support.cpp)
 tanktread_compile_options(membrane_test_support)
 target_include_directories(membrane_test_support PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
@@ -27,3 +27,5 @@ tanktread_test(membrane_implicit_viscosity_test SOURCES unit/membrane_implicit_v
 tanktread_test(membrane_contour_test SOURCES unit/membrane_contour_test.cpp verification/membrane_contour_order_test.cpp
   LIBRARIES membrane_test_support)
 tanktread_test(membrane_viscous_power_test SOURCES unit/membrane_viscous_power_test.cpp LIBRARIES membrane_test_support)
+tanktread_test(membrane_energy_test SOURCES unit/membrane_energy_closed_form_test.cpp unit/membrane_energy_force_test.cpp
+  unit/membrane_energy_terms_test.cpp verification/membrane_energy_order_test.cpp LIBRARIES membrane_test_support)

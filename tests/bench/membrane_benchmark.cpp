@@ -1,10 +1,12 @@
-// What a step of a membrane of 5120 triangles costs, without and with membrane viscosity.
+// What a step of a membrane of 5120 triangles costs, without and with membrane viscosity, and what the
+// energies beside its elastic law add.
 #include <benchmark/benchmark.h>
 
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "membrane/energy_terms.hpp"
 #include "membrane/membrane.hpp"
 #include "tests/bench/bandwidth.hpp"
 
@@ -48,11 +50,37 @@ void membrane_step(benchmark::State& state, const std::string& scheme, int inter
       benchmark::Counter(membrane.n_triangles(), benchmark::Counter::kIsIterationInvariantRate);
 }
 
+/// One add_forces() of energy terms.
+void energy_terms(benchmark::State& state, const std::vector<EnergyChoice>& choices) {
+  const auto sphere = icosphere(4, 19.1);
+  EnergyTerms terms(sphere, choices, static_cast<int>(state.range(0)));
+  const auto positions = sheared(sphere);
+  Eigen::Matrix3Xd force = Eigen::Matrix3Xd::Zero(3, sphere.points.cols());
+  std::size_t step = 0;
+  for ([[maybe_unused]] auto iteration : state) {
+    terms.add_forces(positions[++step % 2], force);
+    benchmark::DoNotOptimize(force.data());
+  }
+  state.counters["triangles_per_second"] = benchmark::Counter(static_cast<double>(sphere.triangles.cols()),
+                                                              benchmark::Counter::kIsIterationInvariantRate);
+}
+
+const EnergyChoice bending = {"bending", {{"bending_modulus", 1e-2}, {"spontaneous_curvature", 0.1}}};
+const EnergyChoice global_area = {"global-area", {{"area_modulus", 1e-2}}};
+const EnergyChoice local_area = {"local-area", {{"local_area_modulus", 1e-2}}};
+const EnergyChoice volume = {"volume", {{"volume_modulus", 1e-2}}};
+const std::vector<EnergyChoice> all_energies = {bending, global_area, local_area, volume};
+
 BENCHMARK_CAPTURE(membrane_step, elastic, "", 1)->Arg(1)->Arg(2)->UseRealTime();
 BENCHMARK_CAPTURE(membrane_step, fd, "fd", 1)->Arg(1)->Arg(2)->UseRealTime();
 BENCHMARK_CAPTURE(membrane_step, int1, "int1", 1)->Arg(1)->Arg(2)->UseRealTime();
 BENCHMARK_CAPTURE(membrane_step, int2, "int2", 1)->Arg(1)->Arg(2)->UseRealTime();
 BENCHMARK_CAPTURE(membrane_step, fd_every_25, "fd", 25)->Arg(1)->Arg(2)->UseRealTime();
+BENCHMARK_CAPTURE(energy_terms, bending, {bending})->Arg(1)->Arg(2)->UseRealTime();
+BENCHMARK_CAPTURE(energy_terms, global_area, {global_area})->Arg(1)->Arg(2)->UseRealTime();
+BENCHMARK_CAPTURE(energy_terms, local_area, {local_area})->Arg(1)->Arg(2)->UseRealTime();
+BENCHMARK_CAPTURE(energy_terms, volume, {volume})->Arg(1)->Arg(2)->UseRealTime();
+BENCHMARK_CAPTURE(energy_terms, all, all_energies)->Arg(1)->Arg(2)->UseRealTime();
 
 }  // namespace
 }  // namespace tanktread::membrane
