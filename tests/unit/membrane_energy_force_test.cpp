@@ -19,11 +19,12 @@ class EnergyForceTest : public testing::TestWithParam<EnergyRow> {
   const Eigen::Vector3d centre{0.3, -0.2, 0.1};
   TriangleMesh sphere = icosphere(1, radius, centre);
   EnergyTerms terms{sphere, {row.choice}, 1};
-  /// Slightly and much deformed, and with a node drawn out so far that edges at it fold by more than a right
-  /// angle.
+  /// Slightly and much deformed, with a node drawn far out, and so flat that its rim folds by more than a
+  /// right angle.
   std::vector<Eigen::Matrix3Xd> shapes = {
       randomly_moved(sphere.points, 0.12, 7), randomly_moved(sphere.points, 0.12, 8),
-      randomly_moved(sphere.points, 0.3, 9), with_a_spike(randomly_moved(sphere.points, 0.05, 10))};
+      randomly_moved(sphere.points, 0.3, 9), with_a_spike(randomly_moved(sphere.points, 0.05, 10)),
+      Eigen::Vector3d(1, 0.15, 1).asDiagonal() * randomly_moved(sphere.points, 0.1, 11)};
 
   Eigen::Matrix3Xd with_a_spike(Eigen::Matrix3Xd positions) const {
     positions.col(5) += 2 * (positions.col(5) - centre);
