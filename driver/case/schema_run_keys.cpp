@@ -30,7 +30,8 @@ std::string refuse_without_implicit(const Case& the_case, std::size_t) {
 std::string refuse_with_a_program(const Case& the_case, std::size_t) {
   const bool of_membrane = std::ranges::any_of(
       the_case.capsules, [](const CapsuleCase& capsule) { return !capsule.membrane.command.empty(); });
-  if (the_case.flow.command.empty() && !of_membrane) return "";
+  const bool is_wanted = the_case.output.energy_every > 0;  // an echo says it also where it is not
+  if (!is_wanted || (the_case.flow.command.empty() && !of_membrane)) return "";
   return fmt::format("needs what a program is not asked for, and {} is given; remove one of the two",
                      of_membrane ? "membrane.command" : "flow.command");
 }

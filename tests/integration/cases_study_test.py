@@ -18,9 +18,9 @@ SHORTER = {"twisting-sphere": ["--period", "8"]}
 
 
 class CasesStudy(InFolder):
-    def make_tables(self, case):
+    def make_tables(self, case, folder):
         for table in study.read_study(case)["table"]:
-            command = [PROGRAM, "study", *table["arguments"], *SHORTER.get(case.name, []), "--out", self.folder / table["file"]]
+            command = [PROGRAM, "study", *table["arguments"], *SHORTER.get(case.name, []), "--out", folder / table["file"]]
             ended = subprocess.run(command, capture_output=True, text=True)
             self.assertEqual(ended.returncode, 0, f"{case.name} {table['file']}: {ended.stderr}")
 
@@ -29,9 +29,11 @@ class CasesStudy(InFolder):
         self.assertGreaterEqual(len(cases), 3)
         for case in cases:
             with self.subTest(case=case.name):
-                self.make_tables(case)
+                folder = self.folder / case.name
+                folder.mkdir()
+                self.make_tables(case, folder)
                 with contextlib.redirect_stdout(io.StringIO()) as printed:
-                    code = compare.compare(self.folder, case)
+                    code = compare.compare(folder, case)
                 self.assertNotIn("not run yet", printed.getvalue())
                 if case.name not in SHORTER:
                     self.assertEqual(code, 0, printed.getvalue())

@@ -57,7 +57,7 @@ TEST(CaseCoupler, AnEchoWritesTheCorrectionAndKeepsItWithAnotherKernel) {
 TEST(CaseCoupler, AnEchoOfAnEarlierDefaultIsTheCaseThatItWas) {
   // As it was written when the default was cosine4 without the correction, with its [coupler].
   const auto echo = least_case + "[coupler]\nkernel = \"cosine4\"\ntangential_correction = false\n";
-  EXPECT_EQ(parse(echo).coupler, (driver::CouplerCase{"cosine4", false}));
+  EXPECT_EQ(parse(echo).coupler, (driver::CouplerCase{"cosine4", false, false}));
   EXPECT_TRUE(parse(echo) == parse(least_case, {"coupler.kernel=cosine4"}));
 }
 
