@@ -66,6 +66,24 @@ std::vector<double> velocity_of(const System& system) {
   return velocity;
 }
 
+// With and without the correction, and for no capsule of the viscosity outside.
+TEST(ContrastStep, TheShearDipoleIsThatOfTheKeyAndOfTheContrast) {
+  for (const std::string correction : {"true", "false"}) {
+    const auto after = [&](const std::string& dipole, const std::string& ratio) {
+      auto system =
+          make(parse(capsule_in_shear, {"coupler.tangential_correction=" + correction,
+                                        "coupler.shear_dipole=" + dipole, "flow.viscosity_ratio=" + ratio}));
+      for (int step = 0; step < 20; ++step) advance(system);
+      return system.membranes[0].positions();
+    };
+    // The dipole moves a node by a part of the shear over a grid step, here 0.003 a step.
+    const double moved = (after("true", "5") - after("false", "5")).cwiseAbs().maxCoeff();
+    EXPECT_GT(moved, 1e-4) << correction;
+    EXPECT_LT(moved, 20 * 0.003) << correction;
+    EXPECT_EQ(after("true", "1"), after("false", "1")) << correction;
+  }
+}
+
 TEST(ContrastStep, NothingMovesInAFluidAtRest) {
   auto system = make(parse(capsules_at_rest, {}));
   const auto start = system.membranes[0].positions(), other = system.membranes[1].positions();

@@ -39,6 +39,18 @@ TEST(CaseCoupler, TheCorrectionFollowsTheKernelUnlessTheCaseSaysIt) {
   }
 }
 
+TEST(CaseCoupler, TheShearDipoleFollowsTheCorrectionUnlessTheCaseSaysIt) {
+  for (const bool corrected : {false, true}) {
+    const auto correction = "coupler.tangential_correction=" + written(corrected);
+    EXPECT_EQ(parse(least_case, {correction}).coupler.shear_dipole, corrected);
+    for (const bool said : {false, true}) {
+      const auto set = "coupler.shear_dipole=" + written(said);
+      EXPECT_EQ(parse(least_case, {correction, set}).coupler.shear_dipole, said);
+      EXPECT_EQ(parse(least_case, {correction, set}).coupler.tangential_correction, corrected);
+    }
+  }
+}
+
 TEST(CaseCoupler, AnEchoWritesTheCorrectionAndKeepsItWithAnotherKernel) {
   for (const auto& kernel : coupler::kernels()) {
     const auto echo = to_toml(parse(least_case, {"coupler.kernel=" + kernel.name}));
