@@ -1,5 +1,8 @@
 #include "driver/plan/cost.hpp"
 
+#include <cmath>
+
+#include "driver/case/names.hpp"
 #include "driver/system/components.hpp"
 #include "driver/units/schedule.hpp"
 #include "fluid/lattice_boltzmann.hpp"
@@ -59,7 +62,8 @@ double memory_needed_bytes(const Case& the_case, const std::vector<membrane::Tri
   // A mark, a viscosity, and that in a state.
   if (has_contrast(the_case)) bytes += (4 + 8 + 8) * n_nodes(the_case.flow.box);
   // Slopes and normals of two sets of stencils.
-  const double dipole = has_contrast(the_case) && the_case.coupler.shear_dipole ? 2 * (18 + 3) * 8 : 0;
+  const double width = std::ceil(2 * kernel_half_width(the_case.coupler.kernel).value_or(0));
+  const double dipole = has_contrast(the_case) && the_case.coupler.shear_dipole ? 2 * (3 * width + 3) * 8 : 0;
   for (std::size_t k = 0; k < meshes.size(); ++k) {
     const auto& scheme = the_case.capsules[k].membrane.viscous.scheme;
     const double history = scheme == "none" ? 0 : scheme == implicit_scheme ? node_operator : node_history;

@@ -27,17 +27,6 @@ std::string refusal(Coupler& coupler, const std::vector<Numbers>& surfaces) {
   return "";
 }
 
-/// The message of the std::invalid_argument that a call throws.
-template <class Call>
-std::string complaint(const Call& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(CouplerStencils, TouchTheBoxOfNodesAroundANode) {
   // 5.3 lies between node 4 (at 4.5) and node 5 (at 5.5): cosine4 takes 3 to 6; y and z alike.
   Coupler coupler(walled_in_z, kernel("cosine4"));

@@ -8,6 +8,8 @@
 #include <ostream>
 #include <random>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "coupler/coupler.hpp"
@@ -126,6 +128,17 @@ inline double dot(const Numbers& a, const Numbers& b) {
   double sum = 0.0;
   for (std::size_t k = 0; k < a.size(); ++k) sum += a[k] * b[k];
   return sum;
+}
+
+/// The message of the std::invalid_argument that a call throws; "" if it throws none.
+template <class Call>
+std::string complaint(const Call& call) {
+  try {
+    call();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
 }
 
 }  // namespace tanktread::coupler::test

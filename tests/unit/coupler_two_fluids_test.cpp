@@ -124,16 +124,6 @@ TEST_P(TwoFluids, FallShortByTheSameIfTheyAndTheDipoleChangeSides) {
   EXPECT_NEAR(two, 4 * one, 8 * rounding);
 }
 
-template <class Call>
-std::string complaint(const Call& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(TwoFluidsRefusals, RefuseViscositiesThatAreNotPositive) {
   const Kernel& first = kernels().front();
   for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {

@@ -14,16 +14,6 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-template <typename Action>
-std::string refusal_message(Action action) {
-  try {
-    action();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
-
 TEST(EnergyTerms, TellTheTermsApart) {
   const auto sphere = icosphere(2, 2);
   const auto positions = randomly_moved(sphere.points, 0.1, 3);

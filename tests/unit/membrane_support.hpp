@@ -5,6 +5,8 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <stdexcept>
+#include <string>
 
 #include "membrane/membrane.hpp"
 
@@ -46,5 +48,16 @@ TriangleMesh turned_inside_out(TriangleMesh mesh);
 /// gradient (at most about 1/height), rounded 3 times, besides the rounding of the gradient and of the
 /// coordinate itself (8 together); 3 terms times 8 roundings times half an epsilon is 12 epsilon |x|/height.
 double gradient_rounding(const TriangleMesh& reference, const Eigen::Matrix3Xd& positions);
+
+/// The message of the std::invalid_argument that an action throws.
+template <typename Action>
+std::string refusal_message(Action action) {
+  try {
+    action();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
 
 }  // namespace tanktread::membrane::test

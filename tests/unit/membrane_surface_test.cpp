@@ -24,16 +24,6 @@ std::string inversion_message(Action action) {
   return "nothing was thrown";
 }
 
-template <typename Action>
-std::string refusal_message(Action action) {
-  try {
-    action();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
-
 TEST(Membrane, StartsAtItsReference) {
   const auto sphere = icosphere(2, 5);
   Membrane membrane(sphere, skalak());
