@@ -1,15 +1,13 @@
 """Tests of the matrix of Chapter 4: what is read of runs made of functions that are known, and what is said of it."""
 
-import contextlib
 import csv
-import io
 import math
 import shutil
 import unittest
 
 import numpy
 
-from post_fixture import ROOT, InFolder, write_echo, write_observables
+from post_fixture import ROOT, InFolder, said, write_echo, write_observables
 
 from tanktread_post import case_analysis, case_results, reference
 
@@ -112,10 +110,7 @@ class Chapter4(InFolder):
         return {r.place: r for r in readings.read_runs(self.output, settings)}
 
     def judged(self):
-        printed = io.StringIO()
-        with contextlib.redirect_stdout(printed):
-            code = case_results.judge(self.output, self.case)
-        return code, printed.getvalue()
+        return said(case_results.judge, self.output, self.case)
 
     def line(self, *words):
         """The one printed line that has all the words."""
