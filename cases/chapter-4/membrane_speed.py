@@ -17,16 +17,15 @@ def three_alike(readings):
     def distance(one, other, name):
         return getattr(one, name) - getattr(other, name)
 
-    def farthest(a, name, sign, same):
-        found = [r for r in matrix if abs(distance(r, a, same)) <= ALIKE[same] and sign * distance(r, a, name) > 0]
-        return max(found, key=lambda r: sign * distance(r, a, name), default=None)
+    def farthest(a, name, sign, same):  # a itself where there is none
+        return max((r for r in matrix if abs(distance(r, a, same)) <= ALIKE[same]), key=lambda r: sign * distance(r, a, name))
 
     best, trio = 0.0, ()
     for a in matrix:
         b, c = farthest(a, "deformation", -1, "inclination_deg"), farthest(a, "inclination_deg", 1, "deformation")
-        if b is not None and c is not None:
-            worth = -distance(b, a, "deformation") * distance(c, a, "inclination_deg")
-            best, trio = max((best, trio), (worth, (a, b, c)), key=lambda one: one[0])
+        worth = -distance(b, a, "deformation") * distance(c, a, "inclination_deg")
+        if worth > best:
+            best, trio = worth, (a, b, c)
     return trio
 
 

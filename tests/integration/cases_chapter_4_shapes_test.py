@@ -44,6 +44,11 @@ class Outlines(OfChapter4):
         (curve,) = outlines.cut(points, triangles, 1, 0.0)
         self.assertEqual({tuple(point) for point in curve.tolist()}, {(1, 0, 0), (-1, 0, 0), (0, 0, 1), (0, 0, -1)})
 
+    def test_have_their_origin_at_the_centroid_of_the_volume(self):
+        points, triangles = octahedron(CENTRE, 1.0)
+        points[4] += [0, 0, 2]  # two pyramids on one square, of heights 3 and 1: (3 3/4 - 1 1/4)/4 above it
+        self.assertLess(numpy.abs(outlines.centroid(points, triangles) - CENTRE - [0, 0, 0.5]).max(), 1e-13)
+
     def test_of_a_run_are_seen_from_the_centroid_in_radii(self):
         folder = self.output / "l1-bqs0"
         write_run(folder, frequency=0.3)
@@ -144,6 +149,8 @@ class MembraneSpeed(OfChapter4):
         for run in ("l1-bqs0", "l1-bqs10", "l0.2-bqs0"):
             write_membranes(self.output / run, [40.0])
         self.assertIn("fig-4.7.png", {file.name for file in case_results.draw(self.output, self.case)})
+        shutil.rmtree(self.output / "l0.2-bqs0")
+        self.assertEqual(membrane_speed.three_alike(self.read().values()), ())
 
     def test_slopes_of_a_plane_are_found(self):
         for ratio, D, inclination in ((0.2, 0.45, 27), (1, 0.4, 20), (3, 0.3, 10), (5, 0.2, 12), (10, 0.15, 4)):
