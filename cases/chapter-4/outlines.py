@@ -88,7 +88,9 @@ def table_of(outlines):
     writer.writerow(HEADER)
     for one in outlines:
         for number, curve in [(MARKER, one.marker[None]), *enumerate(one.curves)]:
-            writer.writerows((one.run, f"{one.shear_time:g}", number, f"{x:.4f}", f"{z:.4f}") for x, z in curve)
+            # Edges that meet in a node on the plane are cut there, each of them: such a point is kept once.
+            places = [(f"{x:.4f}", f"{z:.4f}") for x, z in curve]
+            writer.writerows((one.run, f"{one.shear_time:g}", number, *place) for k, place in enumerate(places) if k == 0 or place != places[k - 1])
     return stream.getvalue()
 
 

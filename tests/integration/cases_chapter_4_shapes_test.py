@@ -63,11 +63,11 @@ class Outlines(OfChapter4):
         self.assertIsNone(outlines.read_outline(folder, 30.0))
 
     def test_are_kept_in_four_digits(self):
-        one = outlines.Outline("a", 12.5, (numpy.array([[1.00004, 0], [0, 1], [-1, 0]]), numpy.array([[0.1, 0.2]])), numpy.array([0.5, -0.25]))
+        one = outlines.Outline("a", 12.5, (numpy.array([[1.00004, 0], [0, 1], [0, 1.00003], [-1, 0]]), numpy.array([[0.1, 0.2]])), numpy.array([0.5, -0.25]))
         (self.folder / "kept.csv").write_text("# made for a test\n" + outlines.table_of([one]))
         back = outlines.read_kept(self.folder / "kept.csv")["a", 12.5]
         self.assertEqual([len(curve) for curve in back.curves], [3, 1])
-        self.assertLess(numpy.abs(back.curves[0] - one.curves[0]).max(), 5.001e-5)
+        self.assertLess(numpy.abs(back.curves[0] - one.curves[0][[0, 1, 3]]).max(), 5.001e-5)
         self.assertEqual(back.marker.tolist(), [0.5, -0.25])
         self.assertEqual(outlines.read_kept(self.folder / "none.csv"), {})
 
