@@ -126,7 +126,8 @@ def rows_of(readings, wanted, settings):
         add("D falls less at high Bq_s", f"lambda = {ratio:g}", places, falls_less_at_last)
     for ratio, places in of_ratio.items():
         low, high = settings["least_inclination_between"] if ratio == 1 else (shears[1], shears[-2])
-        add("inclination is least near Bq_s = 10" if ratio == 1 else "inclination falls, then rises with Bq_s", f"lambda = {ratio:g}", places, least_inclination_between(low, high))
+        label = "inclination is least near Bq_s = 10" if ratio == 1 else "inclination falls, then rises with Bq_s"
+        add(label, f"lambda = {ratio:g}", places, least_inclination_between(low, high))
     spoon = falls_then_rises("membrane_speed")
     add("V* is spoon-shaped in Bq_s", "lambda = 0.2", of_ratio.get(0.2, []), spoon)
     add("V* is spoon-shaped in lambda", "Bq_s = 0", of_shear.get(0.0, []), spoon)
