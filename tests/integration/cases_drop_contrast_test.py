@@ -1,11 +1,9 @@
 """Tests of the case of another viscosity inside: its reference is the theory, and its tables on runs whose errors are known."""
 
-import contextlib
-import io
 import shutil
 import unittest
 
-from post_fixture import ROOT, InFolder, write_run
+from post_fixture import ROOT, InFolder, said, write_run
 
 from tanktread_post import case_analysis, case_results, reference
 from tanktread_post.viscous_capsule import drop_start_up, drop_steady_state, start_up, steady_state
@@ -73,10 +71,7 @@ class DropContrast(InFolder):
         )  # fmt: skip
 
     def compare(self):
-        printed = io.StringIO()
-        with contextlib.redirect_stdout(printed):
-            code = case_results.judge(self.output, self.case)
-        return code, printed.getvalue()
+        return said(case_results.judge, self.output, self.case)
 
     def series(self):
         settings = reference.read_comparison(self.case)["analyse"]

@@ -1,6 +1,8 @@
 """Run folders as tanktread writes them, made for the tests of post/, and a test case with a folder of its own."""
 
+import contextlib
 import csv
+import io
 import pathlib
 import sys
 import tempfile
@@ -58,6 +60,14 @@ class InFolder(unittest.TestCase):
             call(*arguments, **options)
         for word in [words] if isinstance(words, str) else words:
             self.assertIn(word, str(caught.exception))
+
+
+def said(call, *arguments):
+    """(what the call returns, what it prints): of case_results.judge and compare.compare the exit code and the tables."""
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed):
+        returned = call(*arguments)
+    return returned, printed.getvalue()
 
 
 def write_echo(folder, radius=8.0, width=72, law="skalak", capillary_number=0.02, modulus="G_s", kernel="cosine4", shear_time=3.0, inertia=True, viscous=None, commit="abc", corrected=False, viscosity_ratio=1.0, level=3):
