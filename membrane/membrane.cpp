@@ -53,6 +53,21 @@ void Membrane::set_positions(const Eigen::Ref<const Eigen::Matrix3Xd>& positions
   implementation_->positions = positions;
 }
 
+void Membrane::begin_at(const Eigen::Ref<const Eigen::Matrix3Xd>& positions) {
+  set_positions(positions);
+  auto& self = *implementation_;
+  // There the strain is zero, not what rounding makes of it.
+  const bool is_reference = self.positions == self.reference.points;
+  for (Eigen::Index t = 0; t < self.n_elements(); ++t) {
+    const Eigen::Matrix3d corners = self.corners(t);
+    self.check.normals().col(t) = area_normal(corners);
+    if (!self.viscous) continue;
+    const SymmetricTensor c =
+        is_reference ? unit_tensor : cauchy_green(deformation_gradient(corners, self.elements[t]));
+    self.viscous->begin_at(t, 0.5 * (c - unit_tensor));
+  }
+}
+
 void Membrane::add_forces(Eigen::Ref<Eigen::Matrix3Xd> force) {
   auto& self = *implementation_;
   self.require_column_per_node("the force array", force.cols());

@@ -36,7 +36,7 @@ struct ElementFields {
 /// Forces are total forces on the nodes (not densities), added into the target, which the caller clears.
 class Membrane {
  public:
-  /// @param reference the stress-free shape; its points are also the first positions
+  /// @param reference the stress-free shape; its points are also the first positions, but for begin_at()
   /// @param law must not be null
   /// @param threads OpenMP threads, 0: all; no result depends on it, to the last bit
   /// @throws std::invalid_argument if the mesh has no triangle, a triangle names a node that does not exist
@@ -61,12 +61,19 @@ class Membrane {
   /// @throws std::invalid_argument if the number of columns is not n_nodes()
   void set_positions(const Eigen::Ref<const Eigen::Matrix3Xd>& positions);
 
+  /// Begins anew at these positions, as a membrane does whose first shape is not the stress-free one: the
+  /// first check of elements compares with their normals, and a viscous law counts strain from there, with no
+  /// viscous stress. At the reference it is as newly made, to the last bit.
+  /// @throws std::invalid_argument if the number of columns is not n_nodes()
+  void begin_at(const Eigen::Ref<const Eigen::Matrix3Xd>& positions);
+
   /// The time step of a membrane: takes the strains at the present positions into the history of the viscous
   /// law (once a step, then, and never twice for the same time), and adds the nodal forces of the total
   /// stress into `force` (3 x n_nodes).
   /// @throws InvertedElement if an element has less than a thousandth of its reference area, its normal has
-  /// turned by a right angle or more since the last call (the first call compares with the reference), or a
-  /// position is not finite; the message names the first such element. Force and history are untouched then
+  /// turned by a right angle or more since the last call (the first call compares with the reference, or with
+  /// the shape of begin_at()), or a position is not finite; the message names the first such element. Force
+  /// and history are untouched then
   /// @throws std::invalid_argument if `force` has another number of columns
   void add_forces(Eigen::Ref<Eigen::Matrix3Xd> force);
 

@@ -11,7 +11,7 @@ target_compile_definitions(diff_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:ta
 add_dependencies(diff_test tanktread)
 tanktread_test(driver_test SOURCES unit/case_schema_test.cpp unit/case_errors_test.cpp unit/case_bounds_test.cpp
   unit/number_option_test.cpp unit/schedule_test.cpp unit/memory_test.cpp unit/cost_test.cpp
-  unit/case_geometry_test.cpp unit/placement_test.cpp unit/case_key_depth_test.cpp unit/case_set_test.cpp unit/case_round_trip_test.cpp unit/case_warnings_test.cpp
+  unit/case_geometry_test.cpp unit/capsule_shape_test.cpp unit/placement_test.cpp unit/case_key_depth_test.cpp unit/case_set_test.cpp unit/case_round_trip_test.cpp unit/case_warnings_test.cpp
   unit/case_programs_test.cpp unit/case_implicit_test.cpp unit/case_coupler_test.cpp unit/case_difference_test.cpp unit/child_process_test.cpp
   unit/inside_packet_test.cpp unit/units_parameters_test.cpp unit/units_si_test.cpp unit/parameters_file_test.cpp unit/echo_text_test.cpp unit/output_directory_test.cpp unit/stability_test.cpp unit/closing_test.cpp unit/waiting_threads_test.cpp unit/step_error_test.cpp
   integration/step_test.cpp integration/contrast_step_test.cpp integration/program.cpp LIBRARIES tanktread_driver tomlplusplus::tomlplusplus)
@@ -30,7 +30,7 @@ tanktread_test(study_test SOURCES verification/study_maxwell_test.cpp verificati
   verification/study_twist_test.cpp verification/study_layers_test.cpp LIBRARIES tanktread_driver)
 tanktread_test(stages_test SOURCES integration/stages_test.cpp integration/implicit_stages_test.cpp integration/implicit_motion_test.cpp
   integration/implicit_refusal_test.cpp integration/replay_test.cpp integration/contrast_stages_test.cpp integration/contrast_files_test.cpp
-  integration/mesh_file_test.cpp integration/cells_from_files_test.cpp integration/output_file_test.cpp integration/program.cpp
+  integration/mesh_file_test.cpp integration/red_cell_stages_test.cpp integration/cells_from_files_test.cpp integration/output_file_test.cpp integration/program.cpp
   LIBRARIES tanktread_driver)
 target_compile_definitions(stages_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
 add_dependencies(stages_test tanktread)

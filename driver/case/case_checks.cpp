@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <filesystem>
+#include <tuple>
 
 namespace tanktread::driver {
 namespace {
@@ -121,7 +123,45 @@ void check_viscous(CaseReader& reader, const Case& the_case, std::size_t capsule
   }
 }
 
+/// A spheroid needs one number that says which; of two, each key's objection says that.
+template <typename Part>
+void check_spheroid(CaseReader& reader, const Part& part, const std::string& table) {
+  if (!part.file.empty() || part.shape != "spheroid") return;
+  if (reader.has(table + "aspect_ratio") || reader.has(table + "reduced_volume")) return;
+  reader.problem(table + "shape", "needs aspect_ratio or reduced_volume beside it; give one of them");
+}
+
+/// Shapes of the program share triangles; a file has its own.
+void check_shapes(CaseReader& reader, const Case& the_case, std::size_t number) {
+  const auto& [mesh, stress_free] =
+      std::tie(the_case.capsules[number].mesh, the_case.capsules[number].stress_free);
+  const auto mesh_table = fmt::format("capsule.{}.mesh.", number);
+  const auto stress_free_table = fmt::format("capsule.{}.stress_free.", number);
+  check_spheroid(reader, mesh, mesh_table);
+  check_spheroid(reader, stress_free, stress_free_table);
+  if (mesh.direction && *mesh.direction == std::array<double, 3>{0, 0, 0})
+    reader.problem(mesh_table + "direction", "has no length, so it points nowhere; give another");
+  if (!mesh.file.empty() && stress_free.file.empty() && stress_free.shape != "mesh") {
+    reader.problem(stress_free_table + "shape",
+                   "has not the triangles of mesh.file, only those of mesh.shape; give stress_free.file, or "
+                   "mesh.shape in place of mesh.file");
+  }
+}
+
+template <typename Part>
+void check_file(CaseReader& reader, const Part& part, const std::string& path) {
+  if (part.file.empty() || std::filesystem::is_regular_file(part.file)) return;
+  reader.problem(
+      path, fmt::format(
+                "there is no file {}; {}", part.file,
+                part.file_hash.empty()
+                    ? "a relative path starts at the case file's folder"
+                    : fmt::format("if it was moved, give its new path: what it holds is held against {}_hash",
+                                  path)));
+}
+
 void check_capsule(CaseReader& reader, const Case& the_case, std::size_t number) {
+  check_shapes(reader, the_case, number);
   check_modulus(reader, the_case, number);
   check_viscous(reader, the_case, number);
 }
@@ -180,15 +220,9 @@ void check_presence(CaseReader& reader, const Case& the_case) {
 
 void check_mesh_files(CaseReader& reader, const Case& the_case) {
   for (std::size_t k = 0; k < the_case.capsules.size(); ++k) {
-    const auto& mesh = the_case.capsules[k].mesh;
-    if (mesh.file.empty() || std::filesystem::is_regular_file(mesh.file)) continue;
-    reader.problem(
-        fmt::format("capsule.{}.mesh.file", k),
-        fmt::format(
-            "there is no file {}; {}", mesh.file,
-            mesh.file_hash.empty()
-                ? "a relative path starts at the case file's folder"
-                : "if it was moved, give its new path: what it holds is held against mesh.file_hash"));
+    const auto& capsule = the_case.capsules[k];
+    check_file(reader, capsule.mesh, fmt::format("capsule.{}.mesh.file", k));
+    check_file(reader, capsule.stress_free, fmt::format("capsule.{}.stress_free.file", k));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "driver/case/case_programs.hpp"
+#include "driver/plan/echo_shape.hpp"
 #include "driver/units/laws.hpp"
 #include "driver/units/stability.hpp"
 
@@ -92,21 +93,15 @@ void put_viscosity(EchoTable& table, const Subject& subject, const CapsuleParame
 
 }  // namespace
 
-void put_capsule(EchoTable& table, const Subject& subject, std::size_t number_of_it, double mean_edge) {
+void put_capsule(EchoTable& table, const Subject& subject, std::size_t number_of_it,
+                 const ShapeNumbers& shape) {
   const auto& the_capsule = subject.the_case.capsules[number_of_it];
   const auto& capsule = subject.parameters.capsules[number_of_it];
   const auto& at = the_capsule.position;
   table.section(fmt::format("capsule {}", number_of_it));
   table.row("radius a", number(capsule.radius), in_si(subject, capsule.radius, metre, "m"), "grid steps");
   table.row("position", fmt::format("{:.6g}, {:.6g}, {:.6g}", at[0], at[1], at[2]), "", "grid steps");
-  if (the_capsule.mesh.file.empty()) {
-    table.row("mesh", fmt::format("{}, level {}", the_capsule.mesh.shape, the_capsule.mesh.level), "",
-              fmt::format("{} triangles", 20 << (2 * the_capsule.mesh.level)));
-  } else {
-    table.row("mesh", std::filesystem::path(the_capsule.mesh.file).filename().string());
-  }
-  table.row("mean mesh edge", fmt::format("{:.4g}", mean_edge), in_si(subject, mean_edge, metre, "m"),
-            "grid steps; 0.5 to 2 is good", mean_edge > 0);
+  put_shape(table, subject, number_of_it, shape);
   const bool has_program = !the_capsule.membrane.command.empty();
   table.row("membrane program", short_text(the_capsule.membrane.command), "", "", has_program);
   table.row(has_program ? "moduli by elastic law" : "elastic law", the_capsule.membrane.elastic_law, "",

@@ -10,9 +10,9 @@
 namespace tanktread::driver {
 namespace {
 
-Eigen::Index marker_of(const membrane::TriangleMesh& reference, int flow_axis, double radius) {
-  const auto moments = membrane::volume_moments(reference.points, reference.triangles);
-  return membrane::nearest_node(reference.points,
+Eigen::Index marker_of(const CapsuleMembrane& membrane, int flow_axis, double radius) {
+  const auto moments = membrane::volume_moments(membrane.start(), membrane.reference().triangles);
+  return membrane::nearest_node(membrane.start(),
                                 moments.centroid + radius * Eigen::Vector3d::Unit(flow_axis));
 }
 
@@ -23,14 +23,15 @@ std::vector<Measures> measure(const System& system, const Case& the_case) {
   const int vorticity_axis = 3 - flow_axis - the_case.flow.wall_axis;
   std::vector<Measures> all;
   for (std::size_t k = 0; k < system.membranes.size(); ++k) {
-    const auto& reference = system.membranes[k].reference();
-    const auto& points = system.membranes[k].positions();
+    const auto& membrane = system.membranes[k];
+    const auto& triangles = membrane.reference().triangles;
+    const auto& points = membrane.positions();
     const auto& velocity = system.node_velocity[k];
     const double radius = the_case.capsules[k].radius;
-    const auto moments = membrane::volume_moments(points, reference.triangles);
-    const auto frame = membrane::centroid_velocity(moments, points, reference.triangles, velocity);
+    const auto moments = membrane::volume_moments(points, triangles);
+    const auto frame = membrane::centroid_velocity(moments, points, triangles, velocity);
     const auto contour =
-        membrane::contour(points, reference.triangles, vorticity_axis, moments.centroid[vorticity_axis]);
+        membrane::contour(points, triangles, vorticity_axis, moments.centroid[vorticity_axis]);
     const auto along_vorticity = points.row(vorticity_axis);
     Measures row;
     row.step = system.step;
@@ -40,7 +41,7 @@ std::vector<Measures> measure(const System& system, const Case& the_case) {
     row.membrane_speed =
         membrane::mean_speed(points, velocity, contour, vorticity_axis, frame) / (system.shear_rate * radius);
     row.vorticity_extent = (along_vorticity.maxCoeff() - along_vorticity.minCoeff()) / (2 * radius);
-    row.marker = (points.col(marker_of(reference, flow_axis, radius)) - moments.centroid) / radius;
+    row.marker = (points.col(marker_of(membrane, flow_axis, radius)) - moments.centroid) / radius;
     all.push_back(row);
   }
   return all;

@@ -24,7 +24,8 @@ struct Measures {
   /// g a. The velocity of the nodes is that which moved them to where they are, as in the membrane files.
   double membrane_speed = 0;
   double vorticity_extent = 0;  ///< greatest less least position of a node along the vorticity, over 2 a
-  /// From the centroid to the marker, over a: the node that in the reference mesh is nearest to its centroid
+  /// From the centroid to the marker, over a: the node that in the mesh at the start is nearest to its
+  /// centroid
   /// + a along the flow axis (of several the one of the lowest number).
   Eigen::Vector3d marker = Eigen::Vector3d::Zero();
 };

@@ -25,7 +25,10 @@ Eigen::Matrix<double, rows, Eigen::Dynamic> said(const std::vector<exchange::Arr
 
 CapsuleMembrane::CapsuleMembrane(membrane::Membrane membrane, std::unique_ptr<OutsideMembrane> program,
                                  std::unique_ptr<membrane::ImplicitViscosity> implicit)
-    : membrane_(std::move(membrane)), program_(std::move(program)), implicit_(std::move(implicit)) {
+    : membrane_(std::move(membrane)),
+      start_(membrane_.positions()),
+      program_(std::move(program)),
+      implicit_(std::move(implicit)) {
   if (implicit_) implicit_->set_positions(membrane_.positions());
 }
 

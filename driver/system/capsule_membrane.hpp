@@ -18,6 +18,7 @@ namespace tanktread::driver {
 /// off as a result: it is NaN, unless the program says it.
 class CapsuleMembrane {
  public:
+  /// @param membrane where it starts
   /// @param program null: none
   /// @param implicit of the triangles of the membrane; null: none
   explicit CapsuleMembrane(membrane::Membrane membrane, std::unique_ptr<OutsideMembrane> program = nullptr,
@@ -26,6 +27,9 @@ class CapsuleMembrane {
   int n_nodes() const { return membrane_.n_nodes(); }
   int n_triangles() const { return membrane_.n_triangles(); }
   const membrane::TriangleMesh& reference() const { return membrane_.reference(); }
+  /// Where its nodes were at the start of the case; those of reference(), unless another shape is free of
+  /// stress.
+  const Eigen::Matrix3Xd& start() const { return start_; }
   const Eigen::Matrix3Xd& positions() const { return membrane_.positions(); }
   /// @throws std::invalid_argument if the number of columns is not n_nodes()
   void set_positions(const Eigen::Ref<const Eigen::Matrix3Xd>& positions);
@@ -63,6 +67,7 @@ class CapsuleMembrane {
 
  private:
   membrane::Membrane membrane_;
+  Eigen::Matrix3Xd start_;
   std::unique_ptr<OutsideMembrane> program_;
   std::unique_ptr<membrane::ImplicitViscosity> implicit_;
 };

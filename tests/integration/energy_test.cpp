@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "driver/run/energy.hpp"
+#include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "driver/system/step.hpp"
 #include "tests/integration/resume_fixture.hpp"
@@ -35,7 +36,7 @@ capillary_number = 0.3
 
 System make(const Case& the_case) {
   const auto p = parameters(the_case);
-  return make_system(the_case, p, reference_meshes(the_case));
+  return make_system(the_case, p, membrane_shapes(the_case));
 }
 
 EnergyBudget budget_after(int n_steps, const std::vector<std::string>& assignments) {

@@ -137,6 +137,13 @@ MESHES = [
     Row("a sphere of two coordinates", "mesh sphere --centre 1 2 --radius 1 x.vtu", ["--centre"]),
     Row("a sphere of no name", "mesh sphere", ["file"]),
     Row("a sphere in no folder", "mesh sphere none/x.vtu", ["none/x.vtu", "there is no folder"]),
+    Row("a biconcave mesh of level nine", "mesh biconcave --level 9 x.vtu", ["--level", "9"]),
+    Row("a biconcave mesh of no radius", "mesh biconcave --radius 0 x.vtu", ["--radius", "0"]),
+    Row("a biconcave mesh over a case", "mesh biconcave --level 0 case.toml", ["case.toml", "ends in .vtu"]),
+    Row("a spheroid of no shape", "mesh spheroid x.vtu", ["give --aspect-ratio or --reduced-volume"]),
+    Row("a spheroid of two shapes", "mesh spheroid --aspect-ratio 2 --reduced-volume 0.9 x.vtu", ["--aspect-ratio", "--reduced-volume"]),
+    Row("a spheroid as a needle", "mesh spheroid --aspect-ratio 20 x.vtu", ["--aspect-ratio 20", "0.1"]),
+    Row("a spheroid of no volume", "mesh spheroid --reduced-volume 0.1 x.vtu", ["--reduced-volume 0.1", "0.5"]),
     Row("a mesh that is not there", "mesh info none.vtu", ["none.vtu: no such file"]),
     Row("a mesh that is a folder", "mesh info .", [".: is a folder"]),
 ]

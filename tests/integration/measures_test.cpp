@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "driver/run/measures.hpp"
+#include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "tests/integration/resume_fixture.hpp"
 
@@ -36,7 +37,7 @@ capillary_number = 0.3
 /// a drift.
 System turned(const Case& the_case, double angle, double rate) {
   const auto p = parameters(the_case);
-  auto system = make_system(the_case, p, reference_meshes(the_case));
+  auto system = make_system(the_case, p, membrane_shapes(the_case));
   const Eigen::Vector3d centre(12, 13, 11), drift(0.01, -0.02, 0.003), now = centre + 3 * drift;
   Eigen::Matrix3d rotation = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   const Eigen::Matrix3Xd arms = rotation * (system.membranes[0].positions().colwise() - centre);

@@ -198,6 +198,31 @@ TEST(CaseErrors, Contradictions) {
        "give interfacial_tension_N_per_m in its place"},
       {least_case, {"capsule.0.mesh.file=none.vtu"}, "there is no file /somewhere/none.vtu"},
       {least_case, {"capsule.0.mesh.file="}, "is empty"},
+      {least_case, {"capsule.0.stress_free.file=none.vtu"}, "there is no file /somewhere/none.vtu"},
+      {least_case,
+       {"capsule.0.mesh.shape=spheroid"},
+       "--set capsule.0.mesh.shape=spheroid: needs aspect_ratio or reduced_volume beside it"},
+      {least_case,
+       {"capsule.0.stress_free.shape=spheroid"},
+       "--set capsule.0.stress_free.shape=spheroid: needs aspect_ratio or reduced_volume beside it"},
+      {least_case,
+       {"capsule.0.mesh={shape = \"spheroid\", aspect_ratio = 2, reduced_volume = 0.9}"},
+       "contradicts aspect_ratio, from which it follows; remove one of them"},
+      {least_case,
+       {"capsule.0.mesh.aspect_ratio=2"},
+       "contradicts shape = \"sphere\"; it is of \"spheroid\" only"},
+      {least_case,
+       {"capsule.0.stress_free.reduced_volume=0.9"},
+       "contradicts shape = \"mesh\"; it is of \"spheroid\" only"},
+      {least_case,
+       {"capsule.0.mesh={shape = \"spheroid\", aspect_ratio = 20}"},
+       "must be a number from 0.1 to 10"},
+      {least_case,
+       {"capsule.0.mesh.direction=[0, 0, 0]"},
+       "--set capsule.0.mesh.direction=[0, 0, 0]: has no length, so it points nowhere"},
+      {least_case,
+       {"capsule.0.mesh={direction = [1, 0, 0], euler_angles = [0, 90, 0]}"},
+       "contradicts mesh.direction; remove one of them"},
       {least_case, {"flow.viscosity_ratio=0"}, "flow.viscosity_ratio=0: must be a number > 0"},
       {least_case, {"capsule.0.viscosity_ratio=-1"}, "capsule.0.viscosity_ratio=-1: must be a number > 0"},
       {si_case,
@@ -290,7 +315,19 @@ TEST(CaseErrors, MeshFilesAreTakenFromTheCaseFilesFolder) {
     ADD_FAILURE() << "a level beside a file was taken";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(),
-                HasSubstr("capsule.0.mesh.level = 3: contradicts mesh.file; remove one of them"));
+                HasSubstr("capsule.0.mesh.level = 3: contradicts the file beside it; remove one of them"));
+  }
+  const std::string mesh = "capsule.0.mesh.file=meshes/cell.vtu";
+  EXPECT_EQ(read_case(folder / "case.toml", {mesh, "capsule.0.stress_free.file=meshes/cell.vtu"})
+                .capsules[0]
+                .stress_free.file,
+            (folder / "meshes/cell.vtu").string());
+  try {
+    read_case(folder / "case.toml", {mesh, "capsule.0.stress_free.shape=sphere"});
+    ADD_FAILURE() << "a stress-free shape of other triangles was taken";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("has not the triangles of mesh.file, only those of mesh.shape; give "
+                                        "stress_free.file"));
   }
   std::filesystem::remove_all(folder);
 }

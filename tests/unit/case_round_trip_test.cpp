@@ -44,6 +44,12 @@ TEST(CaseRoundTrip, WithAssignments) {
       {"membrane.command=[\"/bin/sh\", \"a \\\"b\\\"\", \"\"]", "run.command_time_limit=0.5"},
       {"flow.command=[\"sh\"]", "run.command_directory=packets"},
       {"flow.viscosity_ratio=5", "capsule.0.viscosity_ratio=0.2"},
+      {"capsule.0.mesh={shape = \"biconcave\", level = 4, direction = [0.1, -2, 1e-3]}"},
+      {"capsule.0.mesh={shape = \"spheroid\", aspect_ratio = 0.3, euler_angles = [10, -20, 400]}"},
+      {"capsule.0.mesh={shape = \"spheroid\", reduced_volume = 0.65}",
+       "capsule.0.stress_free={shape = \"spheroid\", reduced_volume = 0.95}"},
+      {"capsule.0.stress_free={shape = \"spheroid\", aspect_ratio = 2}"},
+      {"capsule.0.stress_free.shape=sphere"},
   };
   for (const auto& assignments : all) expect_round_trip(parse(least_case, assignments));
 }
@@ -70,6 +76,10 @@ TEST(CaseRoundTrip, WithAMeshFile) {
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "cell.vtu") << "only its presence is looked at";
   expect_round_trip(parse_case(least_case, "case.toml", folder, {"capsule.0.mesh.file=cell.vtu"}));
+  expect_round_trip(
+      parse_case(least_case, "case.toml", folder,
+                 {"capsule.0.mesh.file=cell.vtu", "capsule.0.stress_free.file=cell.vtu",
+                  "capsule.0.stress_free.file_hash=0123456789abcdef", "capsule.0.mesh.direction=[1, 0, 0]"}));
   std::filesystem::remove_all(folder);
 }
 

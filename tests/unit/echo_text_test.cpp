@@ -52,7 +52,7 @@ TEST(Echo, SaysWhyAndWhatIsNotMeasured) {
 TEST(Echo, SaysWhatFollows) {
   const auto text = echo_of(parse(least_case, {"flow.box=[60, 60, 60]", "capsule.0.position=[30, 30, 30]",
                                                "capsule.0.radius=9.549", "flow.reynolds_number=0.146"}),
-                            sample_cost(), {1.25});
+                            sample_cost(), {{.mean_edge = 1.25}});
   // g = 0.146/6/9.549^2 = 2.66861e-4, U0 = 30 g.
   EXPECT_EQ(line_of(text, "box"), "box 60 x 60 x 60 0.216 million nodes");
   EXPECT_EQ(line_of(text, "shear rate g"), "shear rate g 0.000266861 2 U0/L");
