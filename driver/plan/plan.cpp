@@ -55,7 +55,8 @@ Plan make_plan(const Case& the_case, std::vector<membrane::TriangleMesh> meshes,
   if (!probe.breakdown.empty()) {
     warning_lines.push_back("the first steps of the case, tried now, break down: " + probe.breakdown);
   }
-  plan.echo = echo(the_case, plan.parameters, plan.cost, warning_lines, mean_edges);
+  plan.echo = echo(the_case, plan.parameters, plan.cost, warning_lines, mean_edges,
+                   load_patches_of(the_case, plan.meshes));
   return plan;
 }
 

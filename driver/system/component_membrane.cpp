@@ -7,6 +7,7 @@
 #include "driver/packets/field_number.hpp"
 #include "driver/packets/surface_mesh.hpp"
 #include "driver/system/components.hpp"
+#include "driver/system/loads.hpp"
 #include "driver/system/placement.hpp"
 #include "driver/units/laws.hpp"
 #include "exchange/vtk_files.hpp"
@@ -117,6 +118,7 @@ std::vector<CapsuleMembrane> make_membranes(const Case& the_case, const Paramete
         has_program ? std::make_unique<OutsideMembrane>(the_case, parameters, k) : nullptr,
         has_program ? nullptr : implicit_viscosity(parameters.capsules[k], meshes[k], the_case.run.threads));
   }
+  add_loads(membranes, the_case, parameters, meshes);
   return membranes;
 }
 

@@ -48,7 +48,7 @@ std::vector<membrane::TriangleMesh> reference_meshes(const Case& the_case);
 /// time after its start. @throws InputError if one cannot be read
 std::vector<std::string> remarks_on_mesh_files(const Case& the_case);
 
-/// The membranes of a case at rest. @param meshes the reference mesh of each capsule
+/// The membranes of a case at rest, with their loads. @param meshes the reference mesh of each capsule
 /// @throws InputError if a program in the place of a membrane cannot be started
 std::vector<CapsuleMembrane> make_membranes(const Case& the_case, const Parameters& parameters,
                                             const std::vector<membrane::TriangleMesh>& meshes);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "driver/packets/packet_files.hpp"
 #include "driver/packets/saved_state.hpp"
 #include "driver/system/phases.hpp"
@@ -26,6 +28,15 @@ NodeVectors elastic_forces(const std::vector<CapsuleMembrane>& membranes) {
   NodeVectors forces;
   for (const auto& membrane : membranes) forces.push_back(membrane.elastic_forces());
   return forces;
+}
+
+/// Where no capsule has a load there is no array.
+void add_loads(exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>& membranes,
+               std::int64_t step) {
+  if (std::ranges::none_of(membranes, &CapsuleMembrane::has_load)) return;
+  NodeVectors loads;
+  for (const auto& membrane : membranes) loads.push_back(membrane.load_at(step));
+  add_vectors(file, "load_force", loads);
 }
 
 void add_element_fields(exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>& membranes) {
@@ -58,6 +69,7 @@ exchange::SurfacePacket membrane_file(const std::vector<CapsuleMembrane>& membra
   add_vectors(file, "velocity", velocity);
   add_vectors(file, "elastic_force", elastic_forces(membranes));
   add_vectors(file, "total_force", force);
+  add_loads(file, membranes, step);
   add_element_fields(file, membranes);
   file.field_data.push_back({"shear_time", 1, {shear_time}});
   return file;
