@@ -64,7 +64,7 @@ NodeVectors start_positions(const DragStage& stage, const std::vector<CapsuleMem
   return std::move(surfaces.positions);
 }
 
-/// The steps of the case at which something happens.
+/// The steps of the case at which something happens; loads that end before the end.
 struct Events {
   Schedule rows, files;
   std::vector<std::int64_t> load_ends;
@@ -89,9 +89,10 @@ Events events_of(const DragStage& stage, const Parameters& numbers) {
                 {},
                 stage.shear_time > 0 ? steps_of(stage.shear_time, numbers, "--shear-time")
                                      : last_step_of(stage.the_case, numbers)};
-  for (const auto& capsule : stage.the_case.capsules)
-    if (capsule.load.force != 0 && capsule.load.until)
-      events.load_ends.push_back(load_end(capsule.load, numbers));
+  for (const auto& capsule : stage.the_case.capsules) {
+    const auto end = load_end(capsule.load, numbers);
+    if (capsule.load.force != 0 && end < events.end) events.load_ends.push_back(end);
+  }
   return events;
 }
 

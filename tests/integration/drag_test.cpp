@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include "driver/system/components.hpp"
@@ -103,8 +104,8 @@ TEST_F(Drag, AnInflatedSphereGoesBackAtItsRate) {
     const double time = rows[k].at("shear_time");
     EXPECT_NEAR(std::log(off(rows[0]) / off(rows[k])) / (rate * time), 1, 0.02);
   }
-  // The speed is the rate of the radius: a g e' of a.
-  EXPECT_NEAR(rows[0].at("speed"), 0.002 * rate, 0.05 * 0.002 * rate);
+  // The speed is the rate of the radius, e' of a; of the fastest node, by how uneven the areas of nodes are.
+  EXPECT_NEAR(rows[0].at("speed"), 0.002 * rate, 0.2 * 0.002 * rate);
 }
 
 // Where mu_d/mu_s = K_s/G_s the viscous stress is tau = mu_s/G_s times the rate of the elastic one, and
@@ -134,11 +135,11 @@ TEST_F(Drag, MembraneViscosityAloneRelaxesInItsOwnTime) {
   }
 }
 
-// At rest under a small force: the energy is half of what force and displacement make (Clapeyron), to the
-// strain, some 1 %. The step is found by trial.
+// At rest under a small force along an axis of symmetry, which does not turn it: the energy is half of what
+// force and displacement make (Clapeyron), to the strain, some 1 %. The step is found by trial.
 TEST_F(Drag, AStretchedCapsuleComesToRest) {
   const std::vector<std::string> load = {
-      "--set", "capsule.0.load={ force = 0.05, direction = [1, 1, 0], patch = 0.1 }"};
+      "--set", "capsule.0.load={ force = 0.02, direction = [0, 0, 3], patch = 0.1 }"};
   auto options = load;
   options.insert(options.end(), {"--shear-time", "40", "--still", "1e-5", "--set",
                                  "output.membrane_every=100", "--set", "output.observables_every=1"});
@@ -147,7 +148,7 @@ TEST_F(Drag, AStretchedCapsuleComesToRest) {
   const auto rows = table();
   EXPECT_LT(rows.size(), 40u) << "it stops";
   EXPECT_LE(rows.back().at("speed"), 1e-5);
-  EXPECT_GT(rows.back().at("axial_diameter"), 1.001);
+  EXPECT_GT(rows.back().at("axial_diameter"), 1.005);
   const auto the_case = driver::read_case(path("case.toml"), {load[1]});
   const auto mesh = driver::reference_meshes(the_case)[0];
   const auto patches = driver::load_patches(the_case.capsules[0].load, mesh);
