@@ -34,3 +34,7 @@ tanktread_test(stages_test SOURCES integration/stages_test.cpp integration/impli
   LIBRARIES tanktread_driver)
 target_compile_definitions(stages_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
 add_dependencies(stages_test tanktread)
+tanktread_test(loads_test SOURCES integration/load_step_test.cpp integration/load_stages_test.cpp integration/drag_test.cpp integration/program.cpp
+  LIBRARIES tanktread_driver)
+target_compile_definitions(loads_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
+add_dependencies(loads_test tanktread)

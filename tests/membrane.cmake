@@ -33,3 +33,6 @@ tanktread_test(membrane_contour_test SOURCES unit/membrane_contour_test.cpp veri
 tanktread_test(membrane_viscous_power_test SOURCES unit/membrane_viscous_power_test.cpp LIBRARIES membrane_test_support)
 tanktread_test(membrane_energy_test SOURCES unit/membrane_energy_closed_form_test.cpp unit/membrane_energy_force_test.cpp
   unit/membrane_energy_terms_test.cpp verification/membrane_energy_order_test.cpp LIBRARIES membrane_test_support)
+tanktread_test(membrane_end_loads_test SOURCES unit/membrane_end_loads_test.cpp LIBRARIES membrane_test_support)
+tanktread_test(membrane_orientation_test SOURCES unit/membrane_orientation_test.cpp LIBRARIES membrane_test_support)
+tanktread_test(membrane_node_drag_test SOURCES unit/membrane_node_drag_test.cpp LIBRARIES membrane_test_support)

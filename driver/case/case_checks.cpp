@@ -160,10 +160,17 @@ void check_file(CaseReader& reader, const Part& part, const std::string& path) {
                                   path)));
 }
 
+void check_load(CaseReader& reader, const Case& the_case, std::size_t capsule) {
+  if (the_case.capsules[capsule].load.direction != std::array<double, 3>{0, 0, 0}) return;
+  reader.problem(fmt::format("capsule.{}.load.direction", capsule),
+                 "has the length 0; give a vector along the axis that is pulled, of any length");
+}
+
 void check_capsule(CaseReader& reader, const Case& the_case, std::size_t number) {
   check_shapes(reader, the_case, number);
   check_modulus(reader, the_case, number);
   check_viscous(reader, the_case, number);
+  check_load(reader, the_case, number);
 }
 
 void check_si(CaseReader& reader, const Case& the_case) {

@@ -18,6 +18,7 @@ void apply_si(Case& the_case) {
         si.interfacial_tension_N_per_m ? *si.interfacial_tension_N_per_m : *si.shear_modulus_N_per_m;
     membrane.capillary_modulus = si.interfacial_tension_N_per_m ? "gamma" : "G_s";
     membrane.capillary_number = si.viscosity_Pa_s * si.shear_rate_per_s * radius_m / modulus;
+    capsule.load.force = si.load_force_N.value_or(0.0) / (modulus * radius_m);
     const double viscosity_times_radius = si.viscosity_Pa_s * radius_m;
     membrane.viscous.boussinesq_shear =
         si.membrane_shear_viscosity_N_s_per_m.value_or(0.0) / viscosity_times_radius;

@@ -1,10 +1,12 @@
 #include "driver/plan/cost.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "driver/case/case_geometry.hpp"
 #include "driver/case/names.hpp"
 #include "driver/system/components.hpp"
+#include "driver/system/loads.hpp"
 #include "driver/units/schedule.hpp"
 #include "fluid/lattice_boltzmann.hpp"
 
@@ -87,14 +89,18 @@ Cost predict_cost(const Case& the_case, const Parameters& parameters,
   // A checkpoint has the membrane's record, reference positions and perhaps first ones, and of a triangle its
   // normal and viscous history.
   constexpr double checkpoint_node = node_record + 3 * 8, checkpoint_triangle = triangle_record + (3 + 9) * 8;
-  constexpr double observables_row = 300, measures_row = 160, energy_row = 260;
+  constexpr double observables_row = 300, measures_row = 350, energy_row = 270;
 
+  // The forces of loads, on all nodes if on any.
+  const bool loaded = std::ranges::any_of(the_case.capsules, has_load);
+  const double load_record = loaded ? 3 * 8 : 0;
   // The marks in a fluid file; the viscosities in a state.
   const double contrast_record = has_contrast(the_case) ? 8 : 0;
   const double fluid_bytes = (fluid_record + contrast_record) * sizes.fluid_file_nodes;
-  const double membrane_bytes = node_record * sizes.membrane_nodes + triangle_record * sizes.triangles;
+  const double membrane_bytes =
+      (node_record + load_record) * sizes.membrane_nodes + triangle_record * sizes.triangles;
   const double lattice_bytes = (fluid::lattice_boltzmann_state_per_node + contrast_record) * sizes.grid_nodes;
-  const double checkpoint_bytes = lattice_bytes + checkpoint_node * sizes.membrane_nodes +
+  const double checkpoint_bytes = lattice_bytes + (checkpoint_node + load_record) * sizes.membrane_nodes +
                                   3 * 8 * sizes.own_stress_free_nodes + checkpoint_triangle * sizes.triangles;
   const double n_rows = times(the_case.output.observables_every),
                n_measures = times(the_case.output.measures_every),

@@ -58,7 +58,8 @@ Plan make_plan(const Case& the_case, MembraneShapes shapes, double held_bytes) {
   if (!probe.breakdown.empty()) {
     warning_lines.push_back("the first steps of the case, tried now, break down: " + probe.breakdown);
   }
-  plan.echo = echo(the_case, plan.parameters, plan.cost, warning_lines, numbers);
+  plan.echo = echo(the_case, plan.parameters, plan.cost, warning_lines, numbers,
+                   load_patches_of(the_case, plan.shapes.meshes));
   return plan;
 }
 

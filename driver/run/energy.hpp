@@ -27,9 +27,11 @@ struct EnergyBudget {
   double body_force = 0;      ///< sum F_b.u
   double correction = 0;      ///< sum F_m.(what was added to the interpolated velocity, for u_m)
   double kinetic_energy = 0;  ///< sum rho u^2/2; without inertia rho = 1
-  /// walls + body_force - elastic_power - viscous_shear - viscous_dilatational - spring_power - inner - outer
+  /// walls + body_force + load_power - elastic_power - viscous_shear - viscous_dilatational - spring_power -
+  /// inner - outer
   /// - correction - the rate of kinetic_energy over the step to come, under the present force.
   double remainder = 0;
+  double load_power = 0;  ///< sum F_load.u_m: what the loads put in
 };
 
 /// The system stands at a time t between two steps. inner and outer are of the populations that come in at

@@ -127,6 +127,7 @@ void follow(const Motion& motion, std::vector<CapsuleMembrane>& membranes, const
   for (std::size_t k = 0; k < membranes.size(); ++k) {
     membranes[k].set_positions(positions[k]);
     force.push_back(membranes[k].elastic_forces());
+    membranes[k].add_load(0, force[k]);
   }
   std::filesystem::create_directories(out / "membrane");
   exchange::write_series(out / "membrane.pvd", {});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <stdexcept>
 
 namespace tanktread::driver {
 namespace {
@@ -44,6 +45,21 @@ membrane::MembraneStep CapsuleMembrane::step_to(const Eigen::Matrix3Xd& position
 
 Eigen::Matrix3Xd CapsuleMembrane::program_forces(const Eigen::Matrix3Xd& velocity, std::int64_t step) {
   return program_->forces(membrane_, velocity, step);
+}
+
+void CapsuleMembrane::set_load(NodalLoad load) {
+  if (load.force.cols() != n_nodes())
+    throw std::invalid_argument("a load must have a force for each node of its membrane");
+  load_ = std::move(load);
+}
+
+Eigen::Matrix3Xd CapsuleMembrane::load_at(std::int64_t step) const {
+  if (!load_ || step >= load_->end) return Eigen::Matrix3Xd::Zero(3, n_nodes());
+  return load_->force;
+}
+
+void CapsuleMembrane::add_load(std::int64_t step, Eigen::Matrix3Xd& force) const {
+  if (load_ && step < load_->end) force += load_->force;
 }
 
 Eigen::Matrix3Xd CapsuleMembrane::elastic_forces() const {

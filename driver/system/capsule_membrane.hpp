@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "driver/outside/outside_membrane.hpp"
@@ -12,6 +13,12 @@
 #include "membrane/membrane_step.hpp"
 
 namespace tanktread::driver {
+
+/// Nodal forces from outside the membrane, which act on it up to a step.
+struct NodalLoad {
+  Eigen::Matrix3Xd force;  ///< 3 x n_nodes
+  std::int64_t end = 0;    ///< the first step at whose positions they are off
+};
 
 /// A membrane of the component with its laws, or with a program in their place. The program gives the nodal
 /// forces; the kinematics and the check of the elements stay. What the laws would say is then never passed
@@ -50,6 +57,14 @@ class CapsuleMembrane {
   /// @throws RunError if it gives none
   Eigen::Matrix3Xd program_forces(const Eigen::Matrix3Xd& velocity, std::int64_t step);
 
+  /// A load that add_load() adds. @throws std::invalid_argument if it is not of these nodes
+  void set_load(NodalLoad load);
+  bool has_load() const { return load_.has_value(); }
+  /// The nodal forces of the load at the positions of a step, 3 x n_nodes; zero without one.
+  Eigen::Matrix3Xd load_at(std::int64_t step) const;
+  /// Adds them. @param force 3 x n_nodes
+  void add_load(std::int64_t step, Eigen::Matrix3Xd& force) const;
+
   // For output; of a program the point data elastic_force and the cell data stress, viscous_stress of its
   // last reply, where it has them in the shapes of docs/files.md, else NaN.
 
@@ -70,6 +85,7 @@ class CapsuleMembrane {
   Eigen::Matrix3Xd start_;
   std::unique_ptr<OutsideMembrane> program_;
   std::unique_ptr<membrane::ImplicitViscosity> implicit_;
+  std::optional<NodalLoad> load_;
 };
 
 }  // namespace tanktread::driver

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "driver/system/components.hpp"
+#include "driver/system/loads.hpp"
 #include "driver/units/laws.hpp"
 
 namespace tanktread::driver {
@@ -25,6 +26,7 @@ std::vector<CapsuleMembrane> make_membranes(const Case& the_case, const Paramete
         has_program ? std::make_unique<OutsideMembrane>(the_case, parameters, k) : nullptr,
         has_program ? nullptr : implicit_viscosity(parameters.capsules[k], meshes[k], the_case.run.threads));
   }
+  add_loads(membranes, the_case, parameters, meshes);
   return membranes;
 }
 

@@ -32,7 +32,8 @@ std::unique_ptr<coupler::Coupler> make_coupler(const Case& the_case);
 /// What a case adds to the velocity that its coupler interpolates.
 NodeCorrections make_node_corrections(const Case& the_case, const coupler::Coupler& coupler);
 
-/// The membranes of a case at its start: where the meshes are, at rest. @param shapes one each a capsule
+/// The membranes of a case at its start: where the meshes are, at rest, with their loads. @param shapes one
+/// each a capsule
 /// @throws InputError if a program in the place of a membrane cannot be started
 std::vector<CapsuleMembrane> make_membranes(const Case& the_case, const Parameters& parameters,
                                             const MembraneShapes& shapes);

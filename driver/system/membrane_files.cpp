@@ -51,6 +51,15 @@ void check_shape(const Eigen::Matrix3Xd& in_file, const Eigen::Matrix3Xd& of_cas
                   name, capsule, largest, which));
 }
 
+/// Where no capsule has a load there is no array.
+void add_loads(exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>& membranes,
+               std::int64_t step) {
+  if (std::ranges::none_of(membranes, &CapsuleMembrane::has_load)) return;
+  NodeVectors loads;
+  for (const auto& membrane : membranes) loads.push_back(membrane.load_at(step));
+  add_vectors(file, "load_force", loads);
+}
+
 void add_element_fields(exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>& membranes) {
   Array stretches{"principal_stretches", 2, {}}, stress{"stress", 9, {}};
   Array viscous_stress{"viscous_stress", 9, {}}, area_ratio{"area_ratio", 1, {}};
@@ -81,6 +90,7 @@ exchange::SurfacePacket membrane_file(const std::vector<CapsuleMembrane>& membra
   add_vectors(file, "velocity", velocity);
   add_vectors(file, "elastic_force", elastic_forces(membranes));
   add_vectors(file, "total_force", force);
+  add_loads(file, membranes, step);
   add_element_fields(file, membranes);
   file.field_data.push_back({"shear_time", 1, {shear_time}});
   return file;

@@ -1,6 +1,7 @@
 #include "driver/units/si.hpp"
 
 #include "driver/case/si_numbers.hpp"
+#include "driver/units/load_units.hpp"
 
 namespace tanktread::driver {
 
@@ -44,6 +45,8 @@ SiCase si_of(const Case& the_case, const Parameters& parameters, const SiScales&
   if (viscous.boussinesq_dilatational > 0) {
     si.membrane_dilatational_viscosity_N_s_per_m = viscous.boussinesq_dilatational * metre_viscosity;
   }
+  if (the_case.si && the_case.si->load_force_N)
+    si.load_force_N = load_force(the_case.capsules.front(), first) * scales.force_N;
   return si;
 }
 

@@ -85,6 +85,9 @@ const Budget budgets[] = {
     {"implicit_with_springs", with_springs("implicit"), {&B::viscous_shear, &B::spring_power}},
     {"fd", with_springs("fd"), {&B::viscous_shear, &B::spring_power}},
     {"int2", with_springs("int2"), {&B::viscous_shear, &B::spring_power}},
+    {"load",
+     {"capsule.0.load={ force = 3, direction = [1, 0, -0.5], patch = 0.1 }"},
+     {&B::load_power, &B::elastic_power}},
     {"contrast", {"flow.viscosity_ratio=5"}, {&B::inner, &B::outer, &B::elastic_power}},
     {"inertia_and_single_precision",
      {"flow.inertia=true", "flow.storage=single", "flow.relaxation_time=0.8"},
@@ -177,7 +180,7 @@ TEST_F(EnergyTable, IsWrittenIfItIsAskedFor) {
   const auto text = table("all");
   EXPECT_THAT(text, StartsWith("step,shear_time,elastic_energy,elastic_power,viscous_shear,"
                                "viscous_dilatational,spring_power,inner,outer,walls,body_force,correction,"
-                               "kinetic_energy,remainder\n0,0,"));
+                               "kinetic_energy,remainder,load_power\n0,0,"));
   EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 4) << "steps 0, 24, 48 and the end, 60";
   // Nothing else is another.
   for (const char* file : {"observables.csv", "parameters.toml", "checkpoints/step_0000000060/fluid.vti",
