@@ -7,6 +7,7 @@
 #include "driver/packets/packet_files.hpp"
 #include "driver/packets/saved_state.hpp"
 #include "driver/system/phases.hpp"
+#include "driver/units/laws.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
@@ -60,6 +61,12 @@ void add_loads(exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>
   add_vectors(file, "load_force", loads);
 }
 
+NodeVectors term_forces(const std::vector<CapsuleMembrane>& membranes, const std::string& term) {
+  NodeVectors forces;
+  for (const auto& membrane : membranes) forces.push_back(membrane.term_forces(term));
+  return forces;
+}
+
 void add_element_fields(exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>& membranes) {
   Array stretches{"principal_stretches", 2, {}}, stress{"stress", 9, {}};
   Array viscous_stress{"viscous_stress", 9, {}}, area_ratio{"area_ratio", 1, {}};
@@ -89,6 +96,8 @@ exchange::SurfacePacket membrane_file(const std::vector<CapsuleMembrane>& membra
   auto file = surface_file(surfaces_of(membranes), step);
   add_vectors(file, "velocity", velocity);
   add_vectors(file, "elastic_force", elastic_forces(membranes));
+  for (const auto& term : term_names(membranes))
+    add_vectors(file, name_in_files(term) + "_force", term_forces(membranes, term));
   add_vectors(file, "total_force", force);
   add_loads(file, membranes, step);
   add_element_fields(file, membranes);

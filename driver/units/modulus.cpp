@@ -3,7 +3,9 @@
 namespace tanktread::driver {
 
 double unit_modulus(const CapsuleParameters& capsule) {
-  return capsule.interfacial_tension > 0 ? capsule.interfacial_tension : capsule.shear_modulus;
+  if (capsule.interfacial_tension > 0) return capsule.interfacial_tension;
+  if (capsule.shear_modulus > 0) return capsule.shear_modulus;
+  return capsule.energy.bending_modulus / (capsule.radius * capsule.radius);
 }
 
 }  // namespace tanktread::driver

@@ -5,7 +5,8 @@
 
 namespace tanktread::driver {
 
-/// G, lattice units: G_s of a law with shear elasticity, gamma of an interfacial tension.
+/// G, lattice units: G_s of a law with shear elasticity, gamma of an interfacial tension, kappa_b/a^2 without a
+/// law.
 double unit_modulus(const CapsuleParameters& capsule);
 
 }  // namespace tanktread::driver
