@@ -88,7 +88,7 @@ RANGES = [
     assigned("a needle for a spheroid", "capsule.0.mesh={shape='spheroid', aspect_ratio=20}", "capsule.0.mesh.aspect_ratio", "a number >= 0.1 and <= 10"),
     assigned("a leaf for a spheroid", "capsule.0.mesh={shape='spheroid', reduced_volume=0.4}", "capsule.0.mesh.reduced_volume", "a number >= 0.5 and <= 1"),
     assigned("more than a sphere without stress", "capsule.0.stress_free={shape='spheroid', reduced_volume=1.1}", "a number >= 0.5 and <= 1"),
-    assigned("a shape that is none", "capsule.0.mesh.shape=biconvex", 'did you mean "biconcave"?'),
+    assigned("a shape that is none", "capsule.0.mesh.shape=biconvex", 'one of "sphere", "biconcave", "spheroid"'),
     assigned("a stress-free shape that is none", "capsule.0.stress_free.shape=cube", "capsule.0.stress_free.shape"),
     assigned("a direction that is not a number", "capsule.0.mesh.direction=[0, nan, 1]", "capsule.0.mesh.direction"),
     assigned("a direction in a plane", "capsule.0.mesh.direction=[0, 1]", "capsule.0.mesh.direction", "three numbers"),

@@ -87,14 +87,16 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return std::string(tested.param.first); });
 
 TEST_P(RedCell, StagedEqualsFused) {
-  record();
+  constexpr int n_staged = 4;  // an update of every third step, and the step after it
+  call({"run", path("case.toml"), "--output", path("out"), "--record", path("record"), "--to",
+        std::to_string(n_staged)});
   stage({"membrane", "--out", path("membrane.vtu")});
   stage({"coupler", "mark", "--in", path("membrane.vtu"), "--out", path("inside.vti")});
   stage({"fluid", "--steps", "0", "--inside", path("inside.vti"), "--out", path("fluid.vti"), "--fields",
          path("flow.vti"), "--free", path("free.vti")});
   EXPECT_TRUE(read_file(path("membrane.vtu")) == read_file(path("record/begin/membrane.vtu")));
   EXPECT_TRUE(read_file(path("fluid.vti")) == read_file(path("record/begin/fluid.vti")));
-  for (int step = 0; step < n_steps; ++step) {
+  for (int step = 0; step < n_staged; ++step) {
     stage({"coupler", "interpolate", "--in", path("membrane.vtu"), "--grid", path("flow.vti"), "--out",
            path("velocity.vtu")});
     const auto explicit_forces = path(is_implicit() ? "explicit.vtu" : "membrane.vtu");
@@ -134,17 +136,13 @@ TEST_P(RedCell, IsReplayedComponentByComponent) {
 
 TEST_P(RedCell, GoesOnBitForBitFromACheckpoint) {
   call({"run", path("case.toml"), "--output", path("whole")});
-  call({"run", path("case.toml"), "--output", path("half"), "--shear-time", "0.025"});
-  // The first one is that of the start, before any step.
-  for (const std::string step : {"0", "5", "10"}) {
-    if (!std::filesystem::exists(path("half/checkpoints/step_000000000" + step)) && step == "0") continue;
+  // 0: that of the start, before any step. 5: within an interval of three steps.
+  for (const std::string step : {"0", "5"}) {
+    std::filesystem::remove_all(path("half"));
+    call({"run", path("case.toml"), "--output", path("half"), "--shear-time", "0.0125"});
     call({"run", "--resume", path("half"), "--shear-time", "0.03", "--from-step", step});
     expect_same_runs("whole", "half");
   }
-  // Nor at once: with nothing but the start to go on from.
-  call({"run", path("case.toml"), "--output", path("start"), "--set", "run.checkpoint_every=0.025"});
-  call({"run", "--resume", path("start"), "--from-step", "0"});
-  expect_same_runs("whole", "start");
 }
 
 TEST_P(RedCell, HasTheSameBitsOnAnyNumberOfThreads) {

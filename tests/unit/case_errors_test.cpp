@@ -249,7 +249,7 @@ TEST(CaseErrors, Contradictions) {
        "contradicts shape = \"mesh\"; it is of \"spheroid\" only"},
       {least_case,
        {"capsule.0.mesh={shape = \"spheroid\", aspect_ratio = 20}"},
-       "must be a number from 0.1 to 10"},
+       "must be a number >= 0.1 and <= 10"},
       {least_case,
        {"capsule.0.mesh.direction=[0, 0, 0]"},
        "--set capsule.0.mesh.direction=[0, 0, 0]: has no length, so it points nowhere"},

@@ -141,9 +141,13 @@ TEST(Echo, SiColumn) {
 
 TEST(Echo, FitsInHundredColumns) {
   for (const auto& text : {least_case, full_case, droplet_case, si_case}) {
-    auto the_case = parse(text, {"flow.speed_limit=1e-9"});  // for a warning
+    auto the_case = parse(text, {"flow.speed_limit=1e-9",  // for a warning
+                                 "capsule.0.mesh={shape = \"spheroid\", aspect_ratio = 0.987654321, "
+                                 "direction = [0.333333333, -1e-9, 123456.7]}",
+                                 "capsule.0.stress_free.shape=biconcave"});
     the_case.title = "";
-    std::istringstream lines(echo_of(the_case, widest_cost(), {3.0, 0.1}));
+    const ShapeNumbers coarse{3.0, 1234.5678, 0.987654321, 0.987654321}, fine{0.1, 1234.5678, 0.9, 0.9};
+    std::istringstream lines(echo_of(the_case, widest_cost(), {coarse, fine}));
     for (std::string line; std::getline(lines, line);) {
       EXPECT_LE(line.size(), 100u) << line;
       EXPECT_FALSE(line.ends_with(' ')) << line;
