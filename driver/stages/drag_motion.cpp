@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -40,6 +41,20 @@ Eigen::Matrix3Xd first_disturbance(Eigen::Index n_nodes) {
     disturbance.data()[k] = turned - std::floor(turned) - 0.5;
   }
   return disturbance;
+}
+
+/// A membrane compares the normals of its elements with those that its history begins with.
+void set_normals(CapsuleMembrane& membrane, const Eigen::Matrix3Xd& positions) {
+  const auto& triangles = membrane.reference().triangles;
+  auto state = membrane.state();
+  Eigen::Map<Eigen::Matrix3Xd> normals(state.history.data(), 3, triangles.cols());
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+    const Eigen::Vector3d origin = positions.col(triangles(0, t));
+    const Eigen::Vector3d along = positions.col(triangles(1, t)) - origin;
+    const Eigen::Vector3d across = positions.col(triangles(2, t)) - origin;
+    normals.col(t) = along.cross(across).normalized();
+  }
+  membrane.restore(state);
 }
 
 double longest(const Eigen::Matrix3Xd& vectors) {
@@ -82,6 +97,11 @@ void DragMotion::set_velocity(std::size_t k, const Eigen::Matrix3Xd& force, doub
                   "iterations they are known to {:.3g} of their norm, {:g} is asked for; raise "
                   "coupler.implicit_iterations, or the drag (--drag)",
                   k, solution.n_iterations, solution.error, tolerance));
+}
+
+void DragMotion::start_at(const NodeVectors& positions) {
+  for (auto* membranes : {&membranes_, &elastic_})
+    for (std::size_t k = 0; k < positions.size(); ++k) set_normals((*membranes)[k], positions[k]);
 }
 
 void DragMotion::settle(const NodeVectors& positions, std::int64_t step) {

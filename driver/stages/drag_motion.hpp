@@ -28,6 +28,10 @@ class DragMotion {
   DragMotion(const Case& the_case, const Parameters& parameters, const MembraneShapes& shapes, double drag,
              double law_step);
 
+  /// The membranes start here and not from their reference: that elements are turned to there is no mistake.
+  /// Not for explicit viscosities, which remember strains. settle() is to follow.
+  void start_at(const NodeVectors& positions);
+
   /// Forces and velocities at these positions: once for each, in the order of time.
   /// @param step by which the loads are on or off
   /// @throws membrane::InvertedElement; RunError if the equations of an implicit viscosity are not solved

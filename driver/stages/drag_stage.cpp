@@ -166,6 +166,7 @@ void run(const DragStage& stage) {
   const StepLength steps(stage, numbers, meshes);
   std::int64_t step = 0, n_steps_made = 0;
   try {
+    if (!stage.in.empty()) motion.start_at(start);
     motion.settle(start, step);
     output.begin();
     output.add_row(motion, step);
