@@ -10,6 +10,7 @@
 #include "driver/system/placement.hpp"
 #include "driver/units/laws.hpp"
 #include "exchange/vtk_files.hpp"
+#include "membrane/viscous_law.hpp"
 
 namespace tanktread::driver {
 namespace {

@@ -1,6 +1,8 @@
 #include "driver/units/laws.hpp"
 
 #include "driver/units/units.hpp"
+#include "membrane/implicit_viscosity.hpp"
+#include "membrane/viscous_law.hpp"
 
 namespace tanktread::driver {
 namespace {

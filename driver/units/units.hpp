@@ -6,8 +6,7 @@
 
 #include "driver/case/case.hpp"
 #include "driver/units/flow_units.hpp"
-#include "membrane/strain_rates.hpp"
-#include "membrane/viscous_law.hpp"
+#include "membrane/viscous_parameters.hpp"
 
 namespace tanktread::driver {
 
@@ -21,7 +20,7 @@ struct CapsuleParameters {
   double capillary_by_E_s = 0, capillary_by_G_s = 0,
          capillary_by_gamma = 0;  ///< mu_o g a / modulus; 0 if it has none
   double viscosity_ratio = 1;
-  std::optional<membrane::ViscousParameters> viscous;     ///< none: no membrane viscosity
+  std::optional<membrane::ViscousParameters> viscous;        ///< none: no membrane viscosity
   membrane::RatesAt rates_at = membrane::RatesAt::elements;  ///< of an implicit one
 };
 
