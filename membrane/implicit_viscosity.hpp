@@ -8,18 +8,10 @@
 #include <vector>
 
 #include "membrane/strain_rates.hpp"
+#include "membrane/viscous_parameters.hpp"
 #include "membrane/viscous_power.hpp"
 
 namespace tanktread::membrane {
-
-/// What an implicit viscosity is made from; lattice units.
-struct ImplicitParameters {
-  double shear_viscosity = 0;         ///< mu_s, 0: none
-  double dilatational_viscosity = 0;  ///< mu_d, 0: none
-  /// Relaxation times 2 mu_s/k_s' and 2 mu_d/k_d' of Maxwell elements, steps; 0: no spring.
-  double shear_relaxation = 0, dilatational_relaxation = 0;
-  RatesAt rates_at = RatesAt::elements;
-};
 
 /// The viscous stresses of a membrane at time t+1, s = B u(t+1) (StrainRates), from a velocity that is not
 /// known yet, because it follows from these stresses too. With M the mobility of the nodes, what a nodal

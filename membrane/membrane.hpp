@@ -11,12 +11,12 @@
 #include "membrane/elastic_law.hpp"
 #include "membrane/energy_terms.hpp"
 #include "membrane/mesh.hpp"
-#include "membrane/viscous_law.hpp"
 #include "membrane/viscous_power.hpp"
 
 namespace tanktread::membrane {
 
 struct MembraneStep;
+class ViscousLaw;
 
 /// An element collapsed or turned inside out, or a position is not finite. The message names the element.
 class InvertedElement : public std::runtime_error {

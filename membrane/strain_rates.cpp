@@ -6,7 +6,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "membrane/element_rates.hpp"
 #include "membrane/membrane.hpp"
+#include "membrane/tangent_plane.hpp"
 
 namespace tanktread::membrane {
 namespace {
@@ -77,6 +79,10 @@ StrainRates::StrainRates(Eigen::Matrix3Xi triangles, Eigen::Index n_nodes, doubl
   roots_ << shear_root, shear_root, root_of_viscosity("dilatational_viscosity", dilatational_viscosity);
   if (at_ == RatesAt::nodes) require_triangles(corners_of_node_, n_nodes);
 }
+
+StrainRates::~StrainRates() = default;
+StrainRates::StrainRates(StrainRates&&) noexcept = default;
+StrainRates& StrainRates::operator=(StrainRates&&) noexcept = default;
 
 void StrainRates::set_positions(const Eigen::Ref<const Eigen::Matrix3Xd>& positions) {
   require_columns("the position array", positions.cols(), n_nodes_);

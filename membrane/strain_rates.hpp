@@ -6,16 +6,12 @@
 #include <vector>
 
 #include "membrane/corners_of_node.hpp"
-#include "membrane/element_rates.hpp"
-#include "membrane/tangent_plane.hpp"
+#include "membrane/viscous_parameters.hpp"
 
 namespace tanktread::membrane {
 
-/// Where the strain rates are taken.
-enum class RatesAt {
-  elements,  ///< in each triangle, of its linear velocity field
-  nodes,     ///< at each node, the mean of the triangles around
-};
+struct ElementRates;
+struct TangentPlane;
 
 /// The operator B of a surface at the positions it was last given. With mu_s the shear and mu_d the
 /// dilatational viscosity and D a rate of deformation over an area A, B u has three numbers for each D:
@@ -66,6 +62,9 @@ class StrainRates {
   /// (RatesAt::nodes), a viscosity is negative or not finite, or threads is negative
   StrainRates(Eigen::Matrix3Xi triangles, Eigen::Index n_nodes, double shear_viscosity,
               double dilatational_viscosity, RatesAt at = RatesAt::nodes, int threads = 0);
+  ~StrainRates();
+  StrainRates(StrainRates&&) noexcept;
+  StrainRates& operator=(StrainRates&&) noexcept;
 
   Eigen::Index n_nodes() const { return n_nodes_; }
   Eigen::Index n_elements() const { return triangles_.cols(); }

@@ -2,37 +2,13 @@
 #pragma once
 
 #include <array>
-#include <string>
 
 #include "membrane/element.hpp"
 #include "membrane/maxwell.hpp"
 #include "membrane/symmetric_tensor.hpp"
+#include "membrane/viscous_parameters.hpp"
 
 namespace tanktread::membrane {
-
-/// Which rate the dashpots see.
-enum class StressMeasure {
-  rate_of_deformation,  ///< D = F^-T (dE/dt) F^-1, as the shear and dilatation of a fluid surface
-  rate_of_strain,       ///< dE/dt in its place, as the thesis writes it
-};
-
-/// Which strain enters an update when N > 1.
-enum class StrainSampling {
-  latest,          ///< that of the step of the update ("sub-sampling")
-  moving_average,  ///< the mean of the N strains since the last update (Eqs. 2.36-2.37)
-};
-
-/// What a viscous law is made from; lattice units.
-struct ViscousParameters {
-  std::string scheme = "fd";          ///< of maxwell_schemes()
-  double shear_viscosity = 0;         ///< mu_s, 0: none
-  double dilatational_viscosity = 0;  ///< mu_d, 0: none
-  double shear_spring = 0;            ///< k_s', positive where mu_s is
-  double dilatational_spring = 0;     ///< k_d', positive where mu_d is
-  int interval = 1;                   ///< N: the stress is updated every N steps, dt = N
-  StrainSampling sampling = StrainSampling::latest;
-  StressMeasure measure = StressMeasure::rate_of_deformation;
-};
 
 /// A viscous stress in the frame that turns with the element (the polar rotation R of F = R U): the shear
 /// parts (s11 - s22)/2 and s12, and the dilatational part (s11 + s22)/2 (Eqs. 2.20-2.24). The state of an

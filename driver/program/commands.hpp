@@ -1,7 +1,10 @@
 // The subcommands of `tanktread`, one function each: it declares the command and what it does when chosen.
 #pragma once
 
-#include <CLI/CLI.hpp>
+// CLI11's header takes seconds to compile: who does more than pass an App on includes it.
+namespace CLI {
+class App;
+}
 
 namespace tanktread::driver {
 

@@ -1,6 +1,7 @@
 #include "driver/program/missing_command.hpp"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 

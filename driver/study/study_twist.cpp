@@ -14,6 +14,7 @@
 #include "membrane/element.hpp"
 #include "membrane/interfacial_tension.hpp"
 #include "membrane/membrane.hpp"
+#include "membrane/viscous_law.hpp"
 
 namespace tanktread::driver {
 namespace {

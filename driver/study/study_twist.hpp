@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "membrane/viscous_law.hpp"
+#include "membrane/viscous_parameters.hpp"
 
 namespace tanktread::driver {
 

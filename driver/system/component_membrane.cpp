@@ -3,6 +3,7 @@
 #include "driver/system/components.hpp"
 #include "driver/system/loads.hpp"
 #include "driver/units/laws.hpp"
+#include "membrane/viscous_law.hpp"
 
 namespace tanktread::driver {
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "driver/units/units.hpp"
+#include "membrane/implicit_viscosity.hpp"
 #include "membrane/shape.hpp"
+#include "membrane/viscous_law.hpp"
 
 namespace tanktread::driver {
 namespace {

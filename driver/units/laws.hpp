@@ -9,9 +9,13 @@
 #include "driver/case/case.hpp"
 #include "membrane/elastic_law.hpp"
 #include "membrane/energy_terms.hpp"
-#include "membrane/implicit_viscosity.hpp"
 #include "membrane/mesh.hpp"
-#include "membrane/viscous_law.hpp"
+#include "membrane/viscous_parameters.hpp"
+
+namespace tanktread::membrane {
+class ImplicitViscosity;
+class ViscousLaw;
+}  // namespace tanktread::membrane
 
 namespace tanktread::driver {
 

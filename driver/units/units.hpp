@@ -6,8 +6,7 @@
 
 #include "driver/case/case.hpp"
 #include "driver/units/flow_units.hpp"
-#include "membrane/strain_rates.hpp"
-#include "membrane/viscous_law.hpp"
+#include "membrane/viscous_parameters.hpp"
 
 namespace tanktread::driver {
 

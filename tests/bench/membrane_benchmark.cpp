@@ -8,6 +8,7 @@
 
 #include "membrane/energy_terms.hpp"
 #include "membrane/membrane.hpp"
+#include "membrane/viscous_law.hpp"
 #include "tests/bench/bandwidth.hpp"
 
 namespace tanktread::membrane {

@@ -10,6 +10,8 @@
 #include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "driver/units/laws.hpp"
+#include "membrane/implicit_viscosity.hpp"
+#include "membrane/viscous_law.hpp"
 #include "tests/unit/case_samples.hpp"
 #include "tests/unit/echo_lines.hpp"
 

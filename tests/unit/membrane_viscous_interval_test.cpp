@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "membrane/element.hpp"
+#include "membrane/viscous_law.hpp"
 #include "unit/membrane_viscous_support.hpp"
 
 namespace tanktread::membrane::test {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "membrane/maxwell.hpp"
+#include "membrane/viscous_parameters.hpp"
 #include "unit/membrane_support.hpp"
 
 namespace tanktread::membrane::test {
