@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "membrane/elastic_law.hpp"
+#include "membrane/energy_terms.hpp"
 #include "membrane/mesh.hpp"
 #include "membrane/viscous_law.hpp"
 #include "membrane/viscous_power.hpp"
@@ -50,11 +51,18 @@ class Membrane {
   Membrane(Membrane&&) noexcept;
   Membrane& operator=(Membrane&&) noexcept;
 
+  /// Energies of the whole membrane beside its law, whose forces then are part of those of a step. Their
+  /// areas and volume at rest are those of the mesh that they were made of, which need not be the stress-free
+  /// shape. They have no history. @param terms may be empty: none
+  /// @throws std::invalid_argument if they are of other triangles
+  void set_energy_terms(std::unique_ptr<EnergyTerms> terms);
+
   int n_nodes() const;
   int n_triangles() const;
   const TriangleMesh& reference() const;  ///< the stress-free shape
   const ElasticLaw& elastic_law() const;
-  const ViscousLaw* viscous_law() const;  ///< owned by the membrane; null: none
+  const ViscousLaw* viscous_law() const;    ///< owned by the membrane; null: none
+  const EnergyTerms* energy_terms() const;  ///< likewise
 
   /// Current positions, 3 x n_nodes.
   const Eigen::Matrix3Xd& positions() const;
@@ -63,7 +71,7 @@ class Membrane {
 
   /// The time step of a membrane: takes the strains at the present positions into the history of the viscous
   /// law (once a step, then, and never twice for the same time), and adds the nodal forces of the total
-  /// stress into `force` (3 x n_nodes).
+  /// stress and of the energy terms into `force` (3 x n_nodes).
   /// @throws InvertedElement if an element has less than a thousandth of its reference area, its normal has
   /// turned by a right angle or more since the last call (the first call compares with the reference), or a
   /// position is not finite; the message names the first such element. Force and history are untouched then
@@ -74,11 +82,16 @@ class Membrane {
   /// @throws InvertedElement as there
   void check_elements();
 
-  /// The elastic part alone, for output. It checks no element.
+  /// The part of the elastic law alone, for output. It checks no element.
   void add_elastic_forces(Eigen::Ref<Eigen::Matrix3Xd> force) const;
 
   /// Sum over elements of A0 W.
   double elastic_energy() const;
+
+  /// The energy of each of the energy terms at the present positions, in their order; none without terms.
+  std::vector<double> term_energies() const;
+  /// Adds the nodal forces of one of them, for output. @throws std::out_of_range if there is no such term
+  void add_term_forces(std::size_t term, Eigen::Ref<Eigen::Matrix3Xd> force) const;
 
   /// What becomes of the power that velocities of the nodes put into the viscous stress at the present
   /// positions, the stress of the last update as in element_fields(). The dashpots' own rates are the stress

@@ -28,7 +28,7 @@ tanktread_test(implicit_test SOURCES integration/implicit_step_test.cpp integrat
 target_compile_definitions(implicit_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
 tanktread_test(study_test SOURCES verification/study_maxwell_test.cpp verification/study_noise_test.cpp verification/study_kernel_test.cpp
   verification/study_twist_test.cpp verification/study_layers_test.cpp LIBRARIES tanktread_driver)
-tanktread_test(stages_test SOURCES integration/stages_test.cpp integration/implicit_stages_test.cpp integration/implicit_motion_test.cpp
+tanktread_test(stages_test SOURCES integration/stages_test.cpp integration/energies_stages_test.cpp integration/implicit_stages_test.cpp integration/implicit_motion_test.cpp
   integration/implicit_refusal_test.cpp integration/replay_test.cpp integration/contrast_stages_test.cpp integration/contrast_files_test.cpp
   integration/mesh_file_test.cpp integration/cells_from_files_test.cpp integration/output_file_test.cpp integration/program.cpp
   LIBRARIES tanktread_driver)

@@ -29,5 +29,6 @@ tanktread_test(membrane_implicit_viscosity_test SOURCES unit/membrane_implicit_v
 tanktread_test(membrane_contour_test SOURCES unit/membrane_contour_test.cpp verification/membrane_contour_order_test.cpp
   LIBRARIES membrane_test_support)
 tanktread_test(membrane_viscous_power_test SOURCES unit/membrane_viscous_power_test.cpp LIBRARIES membrane_test_support)
+tanktread_test(membrane_with_energies_test SOURCES unit/membrane_with_energies_test.cpp LIBRARIES membrane_test_support)
 tanktread_test(membrane_energy_test SOURCES unit/membrane_energy_closed_form_test.cpp unit/membrane_energy_force_test.cpp
   unit/membrane_energy_terms_test.cpp verification/membrane_energy_order_test.cpp LIBRARIES membrane_test_support)

@@ -59,7 +59,14 @@ Value get_member(const Case& the_case, std::size_t capsule) {
 
 template <typename Place>
 void set_member(Case& the_case, std::size_t capsule, const Value& value) {
-  Place::of(the_case, capsule) = std::get<typename HeldBy<MemberType<Place>>::type>(value);
+  using Member = typename HeldBy<MemberType<Place>>::type;
+  if constexpr (!std::is_same_v<MemberType<Place>, Member>) {
+    if (!is_given(value)) {  // the default of a key that is optional
+      Place::of(the_case, capsule).reset();
+      return;
+    }
+  }
+  Place::of(the_case, capsule) = std::get<Member>(value);
 }
 
 /// An axis is 0, 1, 2 in the case and a letter in the file.

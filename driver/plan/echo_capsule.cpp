@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "driver/case/case_programs.hpp"
+#include "driver/plan/echo_energies.hpp"
 #include "driver/units/laws.hpp"
 #include "driver/units/stability.hpp"
 
@@ -21,6 +22,7 @@ void put_moduli(EchoTable& table, const Subject& subject, const CapsuleParameter
   capillary("Ca by E_s", capsule.capillary_by_E_s, "mu_o g a/E_s; W = E_s/8 (...)");
   capillary("Ca by G_s", capsule.capillary_by_G_s, "mu_o g a/G_s");
   capillary("Ca by gamma", capsule.capillary_by_gamma, "mu_o g a/gamma");
+  capillary("Ca by kappa_b", capsule.capillary_by_kappa_b, "mu_o g a^3/kappa_b");
   modulus("E_s", capsule.skalak_modulus, "2 G_s");
   modulus("G_s", capsule.shear_modulus, "shear modulus at rest");
   modulus("K_s", capsule.area_modulus, "area modulus at rest, by the law");
@@ -114,6 +116,7 @@ void put_capsule(EchoTable& table, const Subject& subject, std::size_t number_of
                 ? fmt::format("C = {:.6g}", the_capsule.membrane.area_ratio)
                 : "");
   put_moduli(table, subject, capsule);
+  put_energies(table, subject, number_of_it, mean_edge);
   if (!has_program) put_viscosity(table, subject, capsule, the_capsule.membrane.viscous);
   const double ratio = capsule.viscosity_ratio, inner = ratio * subject.parameters.kinematic_viscosity;
   table.row("viscosity ratio lambda", number(ratio), "", "mu_i/mu_o");

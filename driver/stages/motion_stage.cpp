@@ -121,11 +121,13 @@ Motion series(const MotionStage& stage, const Parameters& numbers,
 void follow(const Motion& motion, std::vector<CapsuleMembrane>& membranes, const Parameters& numbers,
             const std::filesystem::path& out) {
   auto positions = motion.positions(0);
-  auto velocity = zero_like(positions);  // of the first file: none is known, and the forces are elastic
+  auto velocity =
+      zero_like(positions);  // of the first file: none is known, and the forces are without viscous ones
   NodeVectors force;
   for (std::size_t k = 0; k < membranes.size(); ++k) {
     membranes[k].set_positions(positions[k]);
     force.push_back(membranes[k].elastic_forces());
+    for (const auto& term : membranes[k].term_names()) force[k] += membranes[k].term_forces(term);
   }
   std::filesystem::create_directories(out / "membrane");
   exchange::write_series(out / "membrane.pvd", {});

@@ -50,6 +50,22 @@ Eigen::Matrix3Xd CapsuleMembrane::elastic_forces() const {
   return forces;
 }
 
+std::vector<std::string> CapsuleMembrane::term_names() const {
+  std::vector<std::string> names;
+  const auto* terms = membrane_.energy_terms();
+  for (std::size_t k = 0; terms != nullptr && k < terms->size(); ++k) names.push_back(terms->name(k));
+  return names;
+}
+
+Eigen::Matrix3Xd CapsuleMembrane::term_forces(const std::string& term) const {
+  Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, n_nodes());
+  const auto names = term_names();
+  const auto found = std::ranges::find(names, term);
+  if (found != names.end())
+    membrane_.add_term_forces(static_cast<std::size_t>(found - names.begin()), forces);
+  return forces;
+}
+
 membrane::ElementFields CapsuleMembrane::element_fields() const {
   auto fields = membrane_.element_fields();
   if (program_) {
@@ -65,6 +81,13 @@ membrane::ElementFields CapsuleMembrane::element_fields() const {
 
 double CapsuleMembrane::elastic_energy() const {
   return program_ ? unknown : membrane_.elastic_energy();
+}
+
+double CapsuleMembrane::term_energy(const std::string& term) const {
+  const auto names = term_names();
+  const auto found = std::ranges::find(names, term);
+  return found == names.end() ? 0
+                              : membrane_.term_energies()[static_cast<std::size_t>(found - names.begin())];
 }
 
 membrane::ViscousPower CapsuleMembrane::viscous_power(const Eigen::Matrix3Xd& velocity) const {
@@ -89,6 +112,18 @@ void CapsuleMembrane::restore(const MembraneState& state) {
     membrane_.restore_history(state.history);
   }
   if (program_) program_->restore(state.program, membrane_);
+}
+
+std::vector<std::string> term_names(const std::vector<CapsuleMembrane>& membranes) {
+  std::vector<std::string> names;
+  for (const auto& entry : membrane::energy_term_table()) {
+    const auto has = [&](const CapsuleMembrane& membrane) {
+      const auto own = membrane.term_names();
+      return std::ranges::find(own, entry.name) != own.end();
+    };
+    if (std::ranges::any_of(membranes, has)) names.push_back(entry.name);
+  }
+  return names;
 }
 
 }  // namespace tanktread::driver

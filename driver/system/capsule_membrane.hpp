@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "driver/outside/outside_membrane.hpp"
@@ -35,6 +36,9 @@ class CapsuleMembrane {
   membrane::ImplicitViscosity* implicit_viscosity() { return implicit_.get(); }
   const membrane::ImplicitViscosity* implicit_viscosity() const { return implicit_.get(); }
 
+  /// The names of the energies beside the law, in the order of their table; none of a program.
+  std::vector<std::string> term_names() const;
+
   bool has_program() const { return program_ != nullptr; }
   /// The time step of the membrane, for membrane::advance(); with a program in the place of its laws that
   /// checks the elements alone. The forces are without those of an implicit viscosity.
@@ -51,9 +55,13 @@ class CapsuleMembrane {
 
   /// Forces of the elastic law, 3 x n_nodes.
   Eigen::Matrix3Xd elastic_forces() const;
+  /// Forces of one of the energies beside the law, zero if it has none of that name.
+  Eigen::Matrix3Xd term_forces(const std::string& term) const;
   membrane::ElementFields element_fields() const;
-  /// Of a program always NaN.
+  /// Of the elastic law. Of a program always NaN.
   double elastic_energy() const;
+  /// Of one of the energies beside the law, 0 if it has none of that name.
+  double term_energy(const std::string& term) const;
   /// Of a program always NaN. @param velocity of the nodes at the present positions, 3 x n_nodes
   membrane::ViscousPower viscous_power(const Eigen::Matrix3Xd& velocity) const;
 
@@ -66,5 +74,8 @@ class CapsuleMembrane {
   std::unique_ptr<OutsideMembrane> program_;
   std::unique_ptr<membrane::ImplicitViscosity> implicit_;
 };
+
+/// The names of the energies that any of the membranes has beside its law, in the order of their table.
+std::vector<std::string> term_names(const std::vector<CapsuleMembrane>& membranes);
 
 }  // namespace tanktread::driver

@@ -112,6 +112,9 @@ std::vector<CapsuleMembrane> make_membranes(const Case& the_case, const Paramete
     membrane::Membrane membrane(meshes[k], elastic_law(the_case.capsules[k].membrane, parameters.capsules[k]),
                                 has_program ? nullptr : viscous_law(parameters.capsules[k]),
                                 the_case.run.threads);
+    if (!has_program)
+      membrane.set_energy_terms(energy_terms(the_case.capsules[k].membrane, parameters.capsules[k], meshes[k],
+                                             the_case.run.threads));
     membranes.emplace_back(
         std::move(membrane),
         has_program ? std::make_unique<OutsideMembrane>(the_case, parameters, k) : nullptr,

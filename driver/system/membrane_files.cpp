@@ -5,6 +5,7 @@
 #include "driver/packets/packet_files.hpp"
 #include "driver/packets/saved_state.hpp"
 #include "driver/system/phases.hpp"
+#include "driver/units/laws.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
@@ -25,6 +26,12 @@ void add_program_arrays(exchange::SurfacePacket& file, const std::vector<Array>&
 NodeVectors elastic_forces(const std::vector<CapsuleMembrane>& membranes) {
   NodeVectors forces;
   for (const auto& membrane : membranes) forces.push_back(membrane.elastic_forces());
+  return forces;
+}
+
+NodeVectors term_forces(const std::vector<CapsuleMembrane>& membranes, const std::string& term) {
+  NodeVectors forces;
+  for (const auto& membrane : membranes) forces.push_back(membrane.term_forces(term));
   return forces;
 }
 
@@ -57,6 +64,8 @@ exchange::SurfacePacket membrane_file(const std::vector<CapsuleMembrane>& membra
   auto file = surface_file(surfaces_of(membranes), step);
   add_vectors(file, "velocity", velocity);
   add_vectors(file, "elastic_force", elastic_forces(membranes));
+  for (const auto& term : term_names(membranes))
+    add_vectors(file, name_in_files(term) + "_force", term_forces(membranes, term));
   add_vectors(file, "total_force", force);
   add_element_fields(file, membranes);
   file.field_data.push_back({"shear_time", 1, {shear_time}});

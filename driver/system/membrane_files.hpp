@@ -13,7 +13,9 @@ namespace tanktread::driver {
 /// Positions and triangles of all membranes.
 Surfaces surfaces_of(const std::vector<CapsuleMembrane>& membranes);
 
-/// All membranes as one surface. Point data velocity, elastic_force, total_force; cell data
+/// All membranes as one surface. Point data velocity, elastic_force (of the law), of the energies beside it
+/// that any membrane has bending_force, global_area_force, local_area_force, volume_force, total_force; cell
+/// data
 /// principal_stretches, stress, viscous_stress, area_ratio, capsule; field data step, shear_time,
 /// schema_version.
 /// @param velocity that moved the nodes to their positions

@@ -171,6 +171,9 @@ struct Contradiction {
 };
 
 TEST(CaseErrors, Contradictions) {
+  auto vesicle_in_si = si_case + "[membrane]\nelastic_law = \"none\"\n";
+  vesicle_in_si.erase(vesicle_in_si.find("shear_modulus_N_per_m"),
+                      std::string("shear_modulus_N_per_m = 5.3e-6\n").size());
   const std::vector<Contradiction> all = {
       {least_case, {"flow.wall_speed=0.01"}, "contradicts flow.reynolds_number"},
       {least_case, {"flow.shear_rate=1e-4"}, "for kind = \"periodic\" only"},
@@ -196,6 +199,36 @@ TEST(CaseErrors, Contradictions) {
       {si_case,
        {"membrane.elastic_law=interfacial-tension"},
        "give interfacial_tension_N_per_m in its place"},
+      {least_case,
+       {"membrane.elastic_law=none", "membrane.bending_modulus=1"},
+       "membrane.bending_modulus=1: contradicts elastic_law = \"none\", whose capillary_number is of "
+       "kappa_b"},
+      {least_case,
+       {"membrane.elastic_law=none", "membrane.capillary_modulus=G_s"},
+       "contradicts elastic_law = \"none\" of capsule 0, which has none; give \"kappa_b\""},
+      {least_case, {"membrane.capillary_modulus=kappa_b"}, "give \"E_s\""},
+      {least_case, {"membrane.bending_modulus=-1"}, "membrane.bending_modulus=-1: must be a number >= 0"},
+      {least_case, {"membrane.reference_volume=0"}, "membrane.reference_volume=0: must be a number > 0"},
+      {least_case,
+       {"membrane.command=[\"sh\"]", "membrane.volume_modulus=1"},
+       "membrane.volume_modulus=1: contradicts membrane.command of capsule 0: the program gives all forces"},
+      {least_case,
+       {"membrane.command=[\"sh\"]", "membrane.elastic_law=none"},
+       "membrane.elastic_law=none: contradicts membrane.command of capsule 0"},
+      {si_case,
+       {"capsule.1.membrane.command=[\"sh\"]", "si.bending_modulus_J=2e-19"},
+       "si.bending_modulus_J=2e-19: contradicts membrane.command of capsule 1"},
+      {si_case, {"membrane.global_area_modulus=1"}, "membrane.global_area_modulus=1: contradicts [si]"},
+      {si_case,
+       {"membrane.elastic_law=none", "si.bending_modulus_J=2e-19"},
+       "si.shear_modulus_N_per_m = 5.3e-06: contradicts elastic_law = \"none\", which has none; remove it"},
+      {vesicle_in_si, {}, "si.bending_modulus_J: is missing; elastic_law = \"none\" needs it as its modulus"},
+      {vesicle_in_si,
+       {"si.bending_modulus_J=0"},
+       "si.bending_modulus_J=0: is 0; elastic_law = \"none\" needs"},
+      {si_case,
+       {"capsule.1.membrane.elastic_law=none"},
+       "capsule.1.membrane.elastic_law=none: is \"none\" in capsule 1, beside capsules with a law"},
       {least_case, {"capsule.0.mesh.file=none.vtu"}, "there is no file /somewhere/none.vtu"},
       {least_case, {"capsule.0.mesh.file="}, "is empty"},
       {least_case, {"flow.viscosity_ratio=0"}, "flow.viscosity_ratio=0: must be a number > 0"},
