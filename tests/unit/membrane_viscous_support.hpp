@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "membrane/maxwell.hpp"
+#include "membrane/symmetric_tensor.hpp"
 #include "membrane/viscous_parameters.hpp"
 #include "unit/membrane_support.hpp"
 
