@@ -68,16 +68,23 @@ TEST_F(Energies, ThroughFilesAndWithOtherThreadsIsTheRun) {
   call({"run", path("case.toml"), "--output", path("files"), "--through-files"});
   call({"run", path("case.toml"), "--output", path("three"), "--set", "run.threads=3"});
   std::filesystem::remove_all(directory_ / "files" / "packets");
-  EXPECT_EQ(result_files(directory_ / "memory"), result_files(directory_ / "files"));
-  EXPECT_EQ(result_files(directory_ / "memory"), result_files(directory_ / "three"));
+  // The echo has the number of threads.
+  const auto without_echo = [&](const char* run) {
+    auto files = result_files(directory_ / run);
+    std::erase_if(files, [](const auto& file) { return file.first == "echo.toml"; });
+    return files;
+  };
+  const auto memory = without_echo("memory");
+  EXPECT_GT(memory.size(), 1u);
+  for (const char* other : {"files", "three"}) EXPECT_EQ(memory, without_echo(other)) << other;
 }
 
 TEST_F(Energies, AreReplayedAndAnotherModulusIsSeen) {
   record(5);
   for (const char* component : {"membrane", "coupler", "fluid"})
     EXPECT_THAT(call({"replay", path("record"), "--only", component}), HasSubstr("identical: 15 steps"));
-  EXPECT_THAT(call({"replay", path("record"), "--only", "membrane", "--set", "membrane.bending_modulus=0.01",
-                    "--out", path("difference")}),
+  EXPECT_THAT(call({"replay", path("record"), "--only", "membrane", "--set",
+                    "capsule.0.membrane.bending_modulus=0.01", "--out", path("difference")}),
               AllOf(HasSubstr("node_force total_force"), Not(HasSubstr("identical"))));
 }
 
@@ -98,11 +105,6 @@ TEST_F(Energies, ARunGoesOnToTheSameBits) {
     const auto place = std::filesystem::path("checkpoints/step_0000000020") / file;
     EXPECT_TRUE(read_file(directory_ / "whole" / place) == read_file(directory_ / "half" / place)) << file;
   }
-  // Another modulus is another run.
-  EXPECT_THAT(
-      call({"run", "--resume", path("half"), "--shear-time", "0.05", "--set", "membrane.volume_modulus=5"},
-           2),
-      HasSubstr("membrane.volume_modulus"));
 }
 
 // Of the first capsule, which is not viscous; of the second the total has a viscous part too. Both sums are
@@ -137,7 +139,7 @@ TEST_F(Energies, TheTableHasTheColumnsOfTheTermsOfTheCase) {
   std::istringstream table(read_file(path("out/energy.csv")));
   std::string header, row;
   std::getline(table, header);
-  EXPECT_THAT(header, ::testing::EndsWith("kinetic_energy,remainder,bending_energy,bending_power,"
+  EXPECT_THAT(header, ::testing::EndsWith("kinetic_energy,remainder,load_power,bending_energy,bending_power,"
                                           "global_area_energy,global_area_power,volume_energy,volume_power"));
   std::getline(table, row);
   EXPECT_EQ(std::ranges::count(row, ','), std::ranges::count(header, ','));
@@ -164,7 +166,8 @@ energy_every = 0.02
 membrane_every = 0.1
 )";
 
-// 100 steps. What the membrane gives up is all that moves the fluid: the energy falls from row to row.
+// 100 steps. What the membrane gives up is all that moves the fluid, which swings once past the shape of
+// least energy: with the kinetic energy it falls from row to row.
 TEST_F(Energies, AVesicleRelaxes) {
   call({"mesh", "sphere", "--level", "2", "--radius", "5", path("sphere.vtu")});
   auto mesh = exchange::read_surface(path("sphere.vtu"));
@@ -184,11 +187,9 @@ TEST_F(Energies, AVesicleRelaxes) {
     std::map<std::string, double> at;
     for (std::size_t k = 0; k < names.size(); ++k) at[names[k]] = std::stod(row[k]);
     EXPECT_EQ(at["elastic_energy"], 0);
-    const double energy = at["bending_energy"] + at["local_area_energy"];
-    if (n_rows++ > 0) {
-      EXPECT_LT(energy, last) << line;
-      EXPECT_LT(at["bending_power"], 0);
-    }
+    const double energy = at["bending_energy"] + at["local_area_energy"] + at["kinetic_energy"];
+    if (n_rows++ > 0) EXPECT_LT(energy, last) << line;
+    if (n_rows == 2) EXPECT_LT(at["bending_power"], 0);
     last = energy;
   }
   EXPECT_EQ(n_rows, 6);
