@@ -85,7 +85,8 @@ TEST_F(Energies, AreReplayedAndAnotherModulusIsSeen) {
     EXPECT_THAT(call({"replay", path("record"), "--only", component}), HasSubstr("identical: 15 steps"));
   EXPECT_THAT(call({"replay", path("record"), "--only", "membrane", "--set",
                     "capsule.0.membrane.bending_modulus=0.01", "--out", path("difference")}),
-              AllOf(HasSubstr("node_force total_force"), Not(HasSubstr("identical"))));
+              AllOf(HasSubstr("node_force total_force"),
+                    Not(::testing::ContainsRegex("node_force total_force +identical"))));
 }
 
 TEST_F(Energies, ARunGoesOnToTheSameBits) {
@@ -188,8 +189,12 @@ TEST_F(Energies, AVesicleRelaxes) {
     for (std::size_t k = 0; k < names.size(); ++k) at[names[k]] = std::stod(row[k]);
     EXPECT_EQ(at["elastic_energy"], 0);
     const double energy = at["bending_energy"] + at["local_area_energy"] + at["kinetic_energy"];
-    if (n_rows++ > 0) EXPECT_LT(energy, last) << line;
-    if (n_rows == 2) EXPECT_LT(at["bending_power"], 0);
+    if (n_rows++ > 0) {
+      EXPECT_LT(energy, last) << line;
+    }
+    if (n_rows == 2) {
+      EXPECT_LT(at["bending_power"], 0);
+    }
     last = energy;
   }
   EXPECT_EQ(n_rows, 6);
