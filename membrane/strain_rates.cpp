@@ -81,6 +81,8 @@ StrainRates::StrainRates(Eigen::Matrix3Xi triangles, Eigen::Index n_nodes, doubl
 }
 
 StrainRates::~StrainRates() = default;
+StrainRates::StrainRates(const StrainRates&) = default;
+StrainRates& StrainRates::operator=(const StrainRates&) = default;
 StrainRates::StrainRates(StrainRates&&) noexcept = default;
 StrainRates& StrainRates::operator=(StrainRates&&) noexcept = default;
 

@@ -63,6 +63,8 @@ class StrainRates {
   StrainRates(Eigen::Matrix3Xi triangles, Eigen::Index n_nodes, double shear_viscosity,
               double dilatational_viscosity, RatesAt at = RatesAt::nodes, int threads = 0);
   ~StrainRates();
+  StrainRates(const StrainRates&);
+  StrainRates& operator=(const StrainRates&);
   StrainRates(StrainRates&&) noexcept;
   StrainRates& operator=(StrainRates&&) noexcept;
 

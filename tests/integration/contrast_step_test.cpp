@@ -8,7 +8,7 @@
 #include "driver/system/components.hpp"
 #include "driver/system/step.hpp"
 
-namespace tanktread::driver {
+namespace tanktread::driver::contrast_step_test {
 namespace {
 
 constexpr const char* capsule_in_shear = R"([flow]
@@ -160,4 +160,4 @@ TEST(ContrastStep, ARatioOfOneIsNoneAndTheStateHasTheOthers) {
 }
 
 }  // namespace
-}  // namespace tanktread::driver
+}  // namespace tanktread::driver::contrast_step_test

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "membrane/element.hpp"
-#include "membrane/viscous_law.hpp"
 
 namespace tanktread::membrane::test {
 

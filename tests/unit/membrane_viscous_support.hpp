@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "membrane/maxwell.hpp"
-#include "membrane/viscous_parameters.hpp"
+#include "membrane/viscous_law.hpp"
 #include "unit/membrane_support.hpp"
 
 namespace tanktread::membrane::test {
