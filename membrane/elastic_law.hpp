@@ -33,7 +33,8 @@ class ElasticLaw {
   /// The same for many elements in one call; both spans have the same size.
   virtual void evaluate_all(std::span<const Invariants> invariants,
                             std::span<ElasticResponse> responses) const = 0;
-  /// Small-strain shear modulus G_s and area modulus K_s at rest (0 and 0 for an interfacial tension).
+  /// Small-strain shear modulus G_s and area modulus K_s at rest (0 and 0 for an interfacial tension and for
+  /// none).
   virtual double shear_modulus() const = 0;
   virtual double area_modulus() const = 0;
 };
@@ -62,7 +63,7 @@ struct ElasticParameters {
 /// made. `make` throws std::invalid_argument that names the law, the parameter, its value and what is
 /// allowed.
 struct ElasticLawEntry {
-  std::string name;                     ///< "skalak", "neo-hookean", "hookean", "interfacial-tension"
+  std::string name;                     ///< "skalak", "neo-hookean", "hookean", "interfacial-tension", "none"
   std::string description;              ///< one line with the formula of W
   std::vector<std::string> parameters;  ///< names of the ElasticParameters members it uses
   std::unique_ptr<ElasticLaw> (*make)(const ElasticParameters&);

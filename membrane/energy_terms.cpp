@@ -33,6 +33,12 @@ double EnergyTerms::energy(const Eigen::Matrix3Xd& positions) {
   return sum;
 }
 
+void EnergyTerms::derive() {
+  const auto& measures = surface_.add_up(any_depends_on_curvature_);
+  derivatives_.set_zero();
+  for (const auto& term : terms_) term->add_derivatives(measures, derivatives_);
+}
+
 void EnergyTerms::add_forces(const Eigen::Matrix3Xd& positions, Eigen::Ref<Eigen::Matrix3Xd> force) {
   if (terms_.empty()) return;
   const auto& measures = surface_.measure(positions, any_depends_on_curvature_);

@@ -8,6 +8,7 @@
 
 #include "membrane/energy_term.hpp"
 #include "membrane/measured_surface.hpp"
+#include "membrane/triangle_lanes.hpp"
 
 namespace tanktread::membrane {
 
@@ -44,6 +45,32 @@ class EnergyTerms {
   void add_forces(const Eigen::Matrix3Xd& positions, Eigen::Ref<Eigen::Matrix3Xd> force);
   /// The same of one term, for output. @throws std::out_of_range unless k < size()
   void add_forces_of(std::size_t k, const Eigen::Matrix3Xd& positions, Eigen::Ref<Eigen::Matrix3Xd> force);
+
+  const Eigen::Matrix3Xi& triangles() const { return surface_.triangles(); }
+  int n_nodes() const { return surface_.n_nodes(); }
+
+  // The work of add_forces() in parts, for a caller that shares out that of several membranes (advance()). In
+  // this order; of the blocks of a part, and of its nodes, several threads may work on different ones. Blocks
+  // are of `block_size` triangles.
+
+  static constexpr int block_size = n_lanes;
+  int n_blocks() const { return surface_.n_triangle_blocks(); }
+  int n_edge_blocks() const { return any_depends_on_curvature_ ? surface_.n_edge_blocks() : 0; }
+  void measure_block(const Eigen::Matrix3Xd& positions, int block) {
+    surface_.measure_triangles(positions, block);
+  }
+  void measure_edges(const Eigen::Matrix3Xd& positions, int block) {
+    surface_.measure_edges(positions, block);
+  }
+  void measure_node(int node) {
+    if (any_depends_on_curvature_) surface_.measure_node(node);
+  }
+  /// All together: the derivatives of the terms.
+  void derive();
+  /// @param corner_force what is added into, a column a corner
+  void add_corner_forces(const Eigen::Matrix3Xd& positions, int block, Eigen::Matrix3Xd& corner_force) const {
+    surface_.add_corner_forces(positions, derivatives_, block, corner_force);
+  }
 
  private:
   std::vector<std::string> names_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -120,6 +121,25 @@ struct Membrane::Implementation {
     throw std::logic_error("membrane: a block without a bad element was refused");
   }
 
+  /// Measures the triangles of block `number` for the energy terms.
+  void measure_for_terms(Eigen::Index number) {
+    for (int block = first_term_block(number); block < first_term_block(number + 1); ++block)
+      terms->measure_block(positions, block);
+  }
+
+  /// Adds the forces of the energy terms on the corners of its elements.
+  void add_term_forces(Eigen::Index number) {
+    for (int block = first_term_block(number); block < first_term_block(number + 1); ++block)
+      terms->add_corner_forces(positions, block, corner_force);
+  }
+
+  /// The blocks of the energy terms are smaller, and some of them make one of elements.
+  int first_term_block(Eigen::Index number) const {
+    static_assert(block_size % EnergyTerms::block_size == 0);
+    return static_cast<int>(
+        std::min<Eigen::Index>(number * (block_size / EnergyTerms::block_size), terms->n_blocks()));
+  }
+
   void require_column_per_node(const std::string& what, Eigen::Index n_columns) const {
     if (n_columns != positions.cols()) {
       throw std::invalid_argument("membrane: " + what + " has " + std::to_string(n_columns) +
@@ -138,6 +158,7 @@ struct Membrane::Implementation {
   Eigen::Matrix3Xd node_force;    ///< scratch of add_forces()
   ElementCheck check;
   std::optional<ViscousHistory> viscous;
+  std::unique_ptr<EnergyTerms> terms;  ///< null: none
 };
 
 }  // namespace tanktread::membrane

@@ -4,6 +4,7 @@
 #include "membrane/hookean.hpp"
 #include "membrane/interfacial_tension.hpp"
 #include "membrane/neo_hookean.hpp"
+#include "membrane/no_law.hpp"
 #include "membrane/skalak.hpp"
 
 namespace tanktread::membrane {
@@ -20,6 +21,7 @@ const std::vector<ElasticLawEntry>& elastic_law_table() {
        {"shear_modulus", "poisson_ratio"},
        make_hookean},
       {"interfacial-tension", "W = gamma sqrt(I2 + 1)", {"interfacial_tension"}, make_interfacial_tension},
+      {"none", "W = 0: the membrane is of its energy terms alone", {}, make_no_law},
   };
   return table;
 }

@@ -122,12 +122,18 @@ MeasuredSurface::MeasuredSurface(const TriangleMesh& mesh, int threads)
       block_area_(n_lane_blocks(n_triangles())),
       block_volume_(n_lane_blocks(n_triangles())),
       length_angle_(edges_.size()),
-      angle_by_length_(edges_.size()),
-      corner_force_(3, triangles_.size()) {
+      angle_by_length_(edges_.size()) {
   measures_.triangle_area.resize(n_triangles());
   measures_.node_area.resize(mesh.points.cols());
   measures_.node_curvature.resize(mesh.points.cols());
   measure(mesh.points, true);
+}
+
+int MeasuredSurface::n_triangle_blocks() const {
+  return n_lane_blocks(n_triangles());
+}
+int MeasuredSurface::n_edge_blocks() const {
+  return n_lane_blocks(n_edges());
 }
 
 void MeasuredSurface::require_column_per_node(const std::string& what, Eigen::Index n_columns) const {
@@ -140,7 +146,8 @@ void MeasuredSurface::require_column_per_node(const std::string& what, Eigen::In
 
 /// Areas, normals and tetrahedra of a block of triangles. The volume is that of the tetrahedra from one node
 /// of the surface, which keeps digits when it is far from the origin.
-void MeasuredSurface::measure_triangles(const double* positions, int number) {
+void MeasuredSurface::measure_triangles(const Eigen::Matrix3Xd& points, int number) {
+  const double* positions = points.data();
   const LaneBlock block(number, n_triangles());
   VectorLanes corner[3], normal;
   Lanes area, six_volumes;
@@ -171,7 +178,8 @@ void MeasuredSurface::measure_triangles(const double* positions, int number) {
 
 /// Angles of a block of edges: of the unit normals n (left) and m (right) and the unit vector e along the
 /// edge, sin = (n x m).e and cos = n.m.
-void MeasuredSurface::measure_edges(const double* positions, int number) {
+void MeasuredSurface::measure_edges(const Eigen::Matrix3Xd& points, int number) {
+  const double* positions = points.data();
   const LaneBlock block(number, n_edges());
   VectorLanes from, to, left, right;
   Lanes length_angle, angle_by_length;
@@ -208,21 +216,8 @@ void MeasuredSurface::measure_node(int node) {
   measures_.node_curvature[node] = length_angle / 4.0;
 }
 
-const SurfaceMeasures& MeasuredSurface::measure(const Eigen::Matrix3Xd& positions, bool with_curvature) {
-  require_column_per_node("the position array", positions.cols());
+const SurfaceMeasures& MeasuredSurface::add_up(bool with_curvature) {
   with_curvature_ = with_curvature;
-#pragma omp parallel num_threads(n_threads_)
-  {
-#pragma omp for schedule(static)
-    for (int block = 0; block < n_lane_blocks(n_triangles()); ++block)
-      measure_triangles(positions.data(), block);
-    if (with_curvature) {
-#pragma omp for schedule(static)
-      for (int block = 0; block < n_lane_blocks(n_edges()); ++block) measure_edges(positions.data(), block);
-#pragma omp for schedule(static)
-      for (int node = 0; node < n_nodes(); ++node) measure_node(node);
-    }
-  }
   measures_.area = measures_.volume = 0;
   for (Eigen::Index block = 0; block < block_area_.size(); ++block) {
     measures_.area += block_area_[block];
@@ -231,14 +226,31 @@ const SurfaceMeasures& MeasuredSurface::measure(const Eigen::Matrix3Xd& position
   return measures_;
 }
 
-void MeasuredSurface::corner_forces(const double* positions, const MeasureDerivatives& derivatives,
-                                    int number) {
+const SurfaceMeasures& MeasuredSurface::measure(const Eigen::Matrix3Xd& positions, bool with_curvature) {
+  require_column_per_node("the position array", positions.cols());
+#pragma omp parallel num_threads(n_threads_)
+  {
+#pragma omp for schedule(static)
+    for (int block = 0; block < n_triangle_blocks(); ++block) measure_triangles(positions, block);
+    if (with_curvature) {
+#pragma omp for schedule(static)
+      for (int block = 0; block < n_edge_blocks(); ++block) measure_edges(positions, block);
+#pragma omp for schedule(static)
+      for (int node = 0; node < n_nodes(); ++node) measure_node(node);
+    }
+  }
+  return add_up(with_curvature);
+}
+
+void MeasuredSurface::add_corner_forces(const Eigen::Matrix3Xd& positions,
+                                        const MeasureDerivatives& derivatives, int number,
+                                        Eigen::Matrix3Xd& corner_force) const {
   const LaneBlock block(number, n_triangles());
   VectorLanes corner[3], force[3];
   TriangleLanes triangles;
   CurvatureLanes curvature;
   Lanes tension;
-  load_corners(positions, triangles_.data(), block, corner);
+  load_corners(positions.data(), triangles_.data(), block, corner);
   for (int k = 0; k < 3; ++k) subtract(corner[(k + 2) % 3], corner[(k + 1) % 3], triangles.edge[k]);
   for (int i = 0; i < n_lanes; ++i) {
     const int t = block.thing(i);
@@ -262,12 +274,12 @@ void MeasuredSurface::corner_forces(const double* positions, const MeasureDeriva
   }
   set_area_forces(triangles, tension, derivatives.volume, force);
   if (with_curvature_) add_curvature_forces(triangles, curvature, force);
-  double* forces = corner_force_.data() + 9 * block.begin;
+  double* forces = corner_force.data() + 9 * block.begin;
   for (int i = 0; i < block.size; ++i) {
     for (int k = 0; k < 3; ++k) {
-      forces[9 * i + 3 * k] = force[k].x[i];
-      forces[9 * i + 3 * k + 1] = force[k].y[i];
-      forces[9 * i + 3 * k + 2] = force[k].z[i];
+      forces[9 * i + 3 * k] += force[k].x[i];
+      forces[9 * i + 3 * k + 1] += force[k].y[i];
+      forces[9 * i + 3 * k + 2] += force[k].z[i];
     }
   }
 }
@@ -276,11 +288,12 @@ void MeasuredSurface::add_forces(const Eigen::Matrix3Xd& positions, const Measur
                                  Eigen::Ref<Eigen::Matrix3Xd> force) {
   require_column_per_node("the position array", positions.cols());
   require_column_per_node("the force array", force.cols());
+  corner_force_.setZero(3, triangles_.size());
 #pragma omp parallel num_threads(n_threads_)
   {
 #pragma omp for schedule(static)
-    for (int block = 0; block < n_lane_blocks(n_triangles()); ++block)
-      corner_forces(positions.data(), derivatives, block);
+    for (int block = 0; block < n_triangle_blocks(); ++block)
+      add_corner_forces(positions, derivatives, block, corner_force_);
 #pragma omp for schedule(static)
     for (int node = 0; node < n_nodes(); ++node) force.col(node) += corners_of_node_.sum(corner_force_, node);
   }

@@ -14,7 +14,7 @@
 namespace tanktread::membrane {
 
 /// It keeps the triangles and what its last measure() found. No result depends on the number of threads, to
-/// the last bit; calls allocate nothing. One caller at a time.
+/// the last bit; calls allocate nothing but, once, the scratch of add_forces(). One caller at a time.
 class MeasuredSurface {
  public:
   /// Measures the points that it is given, curvature included.
@@ -42,16 +42,30 @@ class MeasuredSurface {
   void add_forces(const Eigen::Matrix3Xd& positions, const MeasureDerivatives& derivatives,
                   Eigen::Ref<Eigen::Matrix3Xd> force);
 
+  // measure() and add_forces() in parts, for a caller that shares out the work of several surfaces
+  // (advance()). In this order; of the blocks of a part, and of its nodes, several threads may work on
+  // different ones.
+
+  int n_triangle_blocks() const;
+  int n_edge_blocks() const;
+  /// Parts of measure(); edges and nodes are of the curvature. @param positions 3 x n_nodes
+  void measure_triangles(const Eigen::Matrix3Xd& positions, int block);
+  void measure_edges(const Eigen::Matrix3Xd& positions, int block);
+  void measure_node(int node);
+  /// Ends it: area and volume. @param with_curvature whether edges and nodes were measured
+  const SurfaceMeasures& add_up(bool with_curvature);
+  /// The part of add_forces() on the corners of a block of triangles, added into `corner_force`, a column a
+  /// corner.
+  void add_corner_forces(const Eigen::Matrix3Xd& positions, const MeasureDerivatives& derivatives, int block,
+                         Eigen::Matrix3Xd& corner_force) const;
+
   int n_nodes() const { return static_cast<int>(measures_.node_area.size()); }
   int n_triangles() const { return static_cast<int>(triangles_.cols()); }
   int n_edges() const { return edges_.size(); }
+  const Eigen::Matrix3Xi& triangles() const { return triangles_; }
 
  private:
   void require_column_per_node(const std::string& what, Eigen::Index n_columns) const;
-  void measure_triangles(const double* positions, int block);
-  void measure_edges(const double* positions, int block);
-  void measure_node(int node);
-  void corner_forces(const double* positions, const MeasureDerivatives& derivatives, int block);
 
   int n_threads_;
   Eigen::Matrix3Xi triangles_;
@@ -63,7 +77,7 @@ class MeasuredSurface {
   Eigen::VectorXd block_area_, block_volume_;  ///< sums over blocks of triangles
   Eigen::VectorXd length_angle_;               ///< length times angle of each edge
   Eigen::VectorXd angle_by_length_;            ///< angle over length of each edge
-  Eigen::Matrix3Xd corner_force_;              ///< a column a corner
+  Eigen::Matrix3Xd corner_force_;              ///< scratch of add_forces(), a column a corner
 };
 
 }  // namespace tanktread::membrane

@@ -29,6 +29,13 @@ Membrane::~Membrane() = default;
 Membrane::Membrane(Membrane&&) noexcept = default;
 Membrane& Membrane::operator=(Membrane&&) noexcept = default;
 
+void Membrane::set_energy_terms(std::unique_ptr<EnergyTerms> terms) {
+  if (terms && (terms->n_nodes() != n_nodes() || terms->triangles() != reference().triangles))
+    throw std::invalid_argument(
+        "membrane: energy terms of other triangles; make them of a mesh with its own");
+  implementation_->terms = std::move(terms);
+}
+
 int Membrane::n_nodes() const {
   return static_cast<int>(implementation_->positions.cols());
 }
@@ -44,6 +51,9 @@ const ElasticLaw& Membrane::elastic_law() const {
 const ViscousLaw* Membrane::viscous_law() const {
   return implementation_->viscous ? &implementation_->viscous->law() : nullptr;
 }
+const EnergyTerms* Membrane::energy_terms() const {
+  return implementation_->terms.get();
+}
 const Eigen::Matrix3Xd& Membrane::positions() const {
   return implementation_->positions;
 }
@@ -51,6 +61,21 @@ const Eigen::Matrix3Xd& Membrane::positions() const {
 void Membrane::set_positions(const Eigen::Ref<const Eigen::Matrix3Xd>& positions) {
   implementation_->require_column_per_node("the position array", positions.cols());
   implementation_->positions = positions;
+}
+
+void Membrane::begin_at(const Eigen::Ref<const Eigen::Matrix3Xd>& positions) {
+  set_positions(positions);
+  auto& self = *implementation_;
+  // There the strain is zero, not what rounding makes of it.
+  const bool is_reference = self.positions == self.reference.points;
+  for (Eigen::Index t = 0; t < self.n_elements(); ++t) {
+    const Eigen::Matrix3d corners = self.corners(t);
+    self.check.normals().col(t) = area_normal(corners);
+    if (!self.viscous) continue;
+    const SymmetricTensor c =
+        is_reference ? unit_tensor : cauchy_green(deformation_gradient(corners, self.elements[t]));
+    self.viscous->begin_at(t, 0.5 * (c - unit_tensor));
+  }
 }
 
 void Membrane::add_forces(Eigen::Ref<Eigen::Matrix3Xd> force) {
@@ -95,6 +120,18 @@ double Membrane::elastic_energy() const {
   double sum = 0;
   for (const double e : energy) sum += e;  // one after the other: no thread count changes the order
   return sum;
+}
+
+std::vector<double> Membrane::term_energies() const {
+  const auto& self = *implementation_;
+  return self.terms ? self.terms->energies(self.positions) : std::vector<double>();
+}
+
+void Membrane::add_term_forces(std::size_t term, Eigen::Ref<Eigen::Matrix3Xd> force) const {
+  const auto& self = *implementation_;
+  self.require_column_per_node("the force array", force.cols());
+  if (!self.terms) throw std::out_of_range("membrane: it has no energy terms");
+  self.terms->add_forces_of(term, self.positions, force);
 }
 
 ViscousPower Membrane::viscous_power(const Eigen::Ref<const Eigen::Matrix3Xd>& velocity) const {

@@ -42,60 +42,37 @@ class Counted {
   std::vector<Eigen::Index> first_ = {0};
 };
 
-/// A part of a step: work(membrane, begin, end) for blocks of elements, or for nodes.
+/// A part of a step: work(membrane, begin, end) for things of each membrane.
 template <class Work>
-struct OnBlocks {
-  Work work;
-};
-template <class Work>
-struct OnNodes {
+struct Part {
+  const Counted& things;
   Work work;
 };
 
-// Said for compilers that do not deduce them for aggregates.
+// Said for compilers that do not deduce it for aggregates.
 template <class Work>
-OnBlocks(Work) -> OnBlocks<Work>;
-template <class Work>
-OnNodes(Work) -> OnNodes<Work>;
+Part(const Counted&, Work) -> Part<Work>;
 
 /// The threads at work on several membranes, part after part of a step.
 class Team {
  public:
-  Team(const Counted& blocks, const Counted& nodes, int n_threads)
-      : blocks_(blocks), nodes_(nodes), n_threads_(n_threads) {
+  Team(const Counted& blocks, int n_threads) : n_membranes_(blocks.n_membranes()), n_threads_(n_threads) {
     // With many membranes each thread takes whole ones, which stay in its cache from part to part. Else none
     // would be idle for more than an eighth of the time.
     Eigen::Index largest = 0;
-    for (std::size_t k = 0; k < blocks.n_membranes(); ++k) largest = std::max(largest, blocks.of(k));
+    for (std::size_t k = 0; k < n_membranes_; ++k) largest = std::max(largest, blocks.of(k));
     takes_whole_ = 8 * n_threads * largest <= blocks.total();
   }
 
-  template <class... Parts>
-  void work(const Parts&... parts) const {
-    if (!takes_whole_) return (share_out(parts), ...);
+  template <class... Works>
+  void work(const Part<Works>&... parts) const {
+    if (!takes_whole_) return (parts.things.share_out(n_threads_, parts.work), ...);
 #pragma omp parallel for num_threads(n_threads_) schedule(dynamic, 1)
-    for (std::size_t k = 0; k < blocks_.n_membranes(); ++k) (whole(k, parts), ...);
+    for (std::size_t k = 0; k < n_membranes_; ++k) (parts.work(k, 0, parts.things.of(k)), ...);
   }
 
  private:
-  template <class Work>
-  void share_out(const OnBlocks<Work>& part) const {
-    blocks_.share_out(n_threads_, part.work);
-  }
-  template <class Work>
-  void share_out(const OnNodes<Work>& part) const {
-    nodes_.share_out(n_threads_, part.work);
-  }
-  template <class Work>
-  void whole(std::size_t k, const OnBlocks<Work>& part) const {
-    part.work(k, 0, blocks_.of(k));
-  }
-  template <class Work>
-  void whole(std::size_t k, const OnNodes<Work>& part) const {
-    part.work(k, 0, nodes_.of(k));
-  }
-
-  const Counted &blocks_, &nodes_;
+  std::size_t n_membranes_;
   int n_threads_;
   bool takes_whole_;
 };
@@ -105,15 +82,24 @@ class Team {
 void advance(std::span<const MembraneStep> steps) {
   if (steps.empty()) return;
   std::vector<Membrane::Implementation*> membranes;
-  Counted blocks, nodes;
+  const auto has_terms = [](const MembraneStep& step) {
+    return step.force && step.membrane->implementation_->terms != nullptr;
+  };
+  // What has no history and depends on no other element.
+  const auto is_at_once = [&](const MembraneStep& step) {
+    return !step.force || (!step.membrane->implementation_->viscous && !has_terms(step));
+  };
+  Counted blocks, nodes, edge_blocks, whole;
   for (const auto& step : steps) {
     auto& self = *membranes.emplace_back(step.membrane->implementation_.get());
     if (step.positions) self.require_column_per_node("the position array", step.positions->cols());
     if (step.force) self.require_column_per_node("the force array", step.force->cols());
     blocks.add(self.n_blocks());
     nodes.add(self.positions.cols());
+    edge_blocks.add(has_terms(step) ? self.terms->n_edge_blocks() : 0);
+    whole.add(1);
   }
-  const Team team(blocks, nodes, membranes.front()->n_threads);
+  const Team team(blocks, membranes.front()->n_threads);
 
   const auto take_positions = [&](std::size_t k, Eigen::Index begin, Eigen::Index end) {
     if (!steps[k].positions) return;
@@ -128,38 +114,59 @@ void advance(std::span<const MembraneStep> steps) {
     for (Eigen::Index block = begin; block < end; ++block) {
       const bool is_sound = self.check_block(block);
       is_bad[blocks.before(k) + block] = !is_sound;
+      if (has_terms(steps[k])) self.measure_for_terms(block);
       // A law is never asked about an element that is turned over.
-      if (is_sound && steps[k].force && !self.viscous) self.elastic_corner_forces(block, self.corner_force);
+      if (is_sound && steps[k].force && is_at_once(steps[k]))
+        self.elastic_corner_forces(block, self.corner_force);
     }
   };
-  const auto take_strain = [&](std::size_t k, Eigen::Index begin, Eigen::Index end) {
-    auto& self = *membranes[k];
-    if (!steps[k].force || !self.viscous) return;
-    for (Eigen::Index block = begin; block < end; ++block) self.next_corner_forces(block);
-  };
-  const auto gather = [&](bool viscous) {
-    return [&, viscous](std::size_t k, Eigen::Index begin, Eigen::Index end) {
+  const auto gather = [&](bool at_once) {
+    return [&, at_once](std::size_t k, Eigen::Index begin, Eigen::Index end) {
       auto& self = *membranes[k];
-      if (!steps[k].force || self.viscous.has_value() != viscous) return;
+      if (!steps[k].force || is_at_once(steps[k]) != at_once) return;
       for (Eigen::Index node = begin; node < end; ++node)
         steps[k].force->col(node) = self.corners_of_node.sum(self.corner_force, node);
     };
   };
 
-  team.work(OnNodes{take_positions}, OnBlocks{check}, OnNodes{gather(false)});
+  team.work(Part{nodes, take_positions}, Part{blocks, check}, Part{nodes, gather(true)});
   const auto bad = std::ranges::find(is_bad, 1) - is_bad.begin();
   if (bad != std::ssize(is_bad)) {
     const std::size_t k = blocks.membrane_of(bad);
     membranes[k]->report_block(bad - blocks.before(k));
   }
-  bool any_viscous = false;
   for (std::size_t k = 0; k < steps.size(); ++k) {
     membranes[k]->check.accept();
-    if (!steps[k].force || !membranes[k]->viscous) continue;
-    membranes[k]->viscous->begin_step();
-    any_viscous = true;
+    if (steps[k].force && membranes[k]->viscous) membranes[k]->viscous->begin_step();
   }
-  if (any_viscous) team.work(OnBlocks{take_strain}, OnNodes{gather(true)});
+  if (std::ranges::all_of(steps, is_at_once)) return;
+
+  const auto measure_edges = [&](std::size_t k, Eigen::Index begin, Eigen::Index end) {
+    auto& self = *membranes[k];
+    for (auto block = static_cast<int>(begin); block < end; ++block)
+      self.terms->measure_edges(self.positions, block);
+  };
+  const auto measure_nodes = [&](std::size_t k, Eigen::Index begin, Eigen::Index end) {
+    if (!has_terms(steps[k])) return;
+    for (auto node = static_cast<int>(begin); node < end; ++node) membranes[k]->terms->measure_node(node);
+  };
+  const auto derive = [&](std::size_t k, Eigen::Index begin, Eigen::Index end) {
+    if (begin < end && has_terms(steps[k])) membranes[k]->terms->derive();
+  };
+  const auto force_corners = [&](std::size_t k, Eigen::Index begin, Eigen::Index end) {
+    auto& self = *membranes[k];
+    if (is_at_once(steps[k])) return;
+    for (Eigen::Index block = begin; block < end; ++block) {
+      if (self.viscous) {
+        self.next_corner_forces(block);
+      } else {
+        self.elastic_corner_forces(block, self.corner_force);
+      }
+      if (self.terms) self.add_term_forces(block);
+    }
+  };
+  team.work(Part{edge_blocks, measure_edges}, Part{nodes, measure_nodes}, Part{whole, derive},
+            Part{blocks, force_corners}, Part{nodes, gather(false)});
 }
 
 }  // namespace tanktread::membrane

@@ -16,10 +16,17 @@ namespace tanktread::membrane {
 /// step, then take() once for every element, in any order and from any thread.
 class ViscousHistory {
  public:
-  /// All elements at rest: strain and stress zero.
+  /// All elements at rest: strain and stress zero, as with begin_at() of no strain.
   ViscousHistory(std::shared_ptr<const ViscousLaw> law, Eigen::Index n_elements);
 
   const ViscousLaw& law() const { return *law_; }
+
+  /// An element begins anew at a Green strain E, without stress. To be called for all elements.
+  void begin_at(Eigen::Index element, const SymmetricTensor& strain) {
+    elements_[element] = Element();
+    elements_[element].last_strain = strain;
+    steps_since_update_ = 0;
+  }
 
   /// Counts the time step whose strains take() is about to be given: every Nth one updates the stresses. No
   /// thread may be in take().

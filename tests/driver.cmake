@@ -14,7 +14,7 @@ set_source_files_properties(unit/case_schema_test.cpp unit/step_error_test.cpp P
   COMPILE_DEFINITIONS TANKTREAD_SOURCE="${PROJECT_SOURCE_DIR}")
 tanktread_test(driver_test SOURCES unit/case_schema_test.cpp unit/case_errors_test.cpp unit/case_bounds_test.cpp
   unit/number_option_test.cpp unit/schedule_test.cpp unit/memory_test.cpp unit/cost_test.cpp
-  unit/case_geometry_test.cpp unit/placement_test.cpp unit/case_key_depth_test.cpp unit/case_set_test.cpp unit/case_round_trip_test.cpp unit/case_warnings_test.cpp
+  unit/case_geometry_test.cpp unit/capsule_shape_test.cpp unit/placement_test.cpp unit/case_key_depth_test.cpp unit/case_set_test.cpp unit/case_round_trip_test.cpp unit/case_warnings_test.cpp
   unit/case_programs_test.cpp unit/case_implicit_test.cpp unit/case_coupler_test.cpp unit/case_difference_test.cpp unit/child_process_test.cpp
   unit/inside_packet_test.cpp unit/units_parameters_test.cpp unit/units_si_test.cpp unit/parameters_file_test.cpp unit/echo_text_test.cpp unit/output_directory_test.cpp unit/stability_test.cpp unit/closing_test.cpp unit/waiting_threads_test.cpp unit/step_error_test.cpp
   integration/step_test.cpp integration/contrast_step_test.cpp integration/program.cpp LIBRARIES tanktread_driver tomlplusplus::tomlplusplus)
@@ -28,9 +28,13 @@ tanktread_test(implicit_test SOURCES integration/implicit_step_test.cpp integrat
 target_compile_definitions(implicit_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
 tanktread_test(study_test SOURCES verification/study_maxwell_test.cpp verification/study_noise_test.cpp verification/study_kernel_test.cpp
   verification/study_twist_test.cpp verification/study_layers_test.cpp LIBRARIES tanktread_driver)
-tanktread_test(stages_test SOURCES integration/stages_test.cpp integration/implicit_stages_test.cpp integration/implicit_motion_test.cpp
+tanktread_test(stages_test SOURCES integration/stages_test.cpp integration/energies_stages_test.cpp integration/implicit_stages_test.cpp integration/implicit_motion_test.cpp
   integration/implicit_refusal_test.cpp integration/replay_test.cpp integration/contrast_stages_test.cpp integration/contrast_files_test.cpp
-  integration/mesh_file_test.cpp integration/cells_from_files_test.cpp integration/output_file_test.cpp integration/program.cpp
+  integration/mesh_file_test.cpp integration/red_cell_stages_test.cpp integration/cells_from_files_test.cpp integration/output_file_test.cpp integration/program.cpp
   LIBRARIES tanktread_driver)
 target_compile_definitions(stages_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
 add_dependencies(stages_test tanktread)
+tanktread_test(loads_test SOURCES integration/load_step_test.cpp integration/load_stages_test.cpp integration/drag_test.cpp integration/program.cpp
+  LIBRARIES tanktread_driver)
+target_compile_definitions(loads_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
+add_dependencies(loads_test tanktread)

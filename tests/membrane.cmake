@@ -12,9 +12,11 @@ tanktread_test(membrane_unit
     unit/membrane_law_force_test.cpp
     unit/membrane_surface_test.cpp
     unit/membrane_step_test.cpp
+    unit/membrane_begin_at_test.cpp
     unit/membrane_mesh_test.cpp
     unit/membrane_meridian_test.cpp
     unit/membrane_revolved_mesh_test.cpp
+    unit/membrane_rotation_test.cpp
     unit/membrane_placed_surface_test.cpp
     unit/membrane_shape_test.cpp
     unit/membrane_viscous_law_test.cpp
@@ -24,9 +26,13 @@ tanktread_test(membrane_unit
     unit/membrane_implicit_viscosity_test.cpp
     unit/membrane_contour_test.cpp
     unit/membrane_viscous_power_test.cpp
+    unit/membrane_with_energies_test.cpp
     unit/membrane_energy_closed_form_test.cpp
     unit/membrane_energy_force_test.cpp
     unit/membrane_energy_terms_test.cpp
+    unit/membrane_end_loads_test.cpp
+    unit/membrane_orientation_test.cpp
+    unit/membrane_node_drag_test.cpp
   LIBRARIES membrane_test_support)
 tanktread_test(membrane_verification
   SOURCES

@@ -22,6 +22,7 @@ endfunction()
 
 tanktread_python_test(cases_capsule_contrast)
 tanktread_python_test(cases_chapter_4 SECONDS 10)
+tanktread_python_test(cases_chapter_4_shapes)
 tanktread_python_test(cases_cost_of_accuracy)
 tanktread_python_test(cases_drop_contrast)
 tanktread_python_test(cases_large_deformation)

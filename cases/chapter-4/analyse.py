@@ -1,27 +1,28 @@
 """The matrix of viscosity ratio and membrane viscosity of the thesis's Chapter 4: what each run comes to, and what the thesis says of it.
 
-readings.py reads a run, verdicts.py holds the runs against the thesis, figures.py draws. Runs that are not finished are named as missing.
+gathered.py brings together what is known of the runs: readings.py (one run in numbers), histories.py (in time), outlines.py (in the shear plane). verdicts.py,
+statements.py and remarks.py hold it against the thesis, figures.py and shape_figures.py draw. A run without output is taken from measured/; one that is in neither is
+named as missing. So `plot` and `compare` of an empty folder draw and print what is kept.
 """
 
-import csv
-import dataclasses
 import functools
-import io
 import math
 import pathlib
 
 from tanktread_post.case_analysis import module_of
-from tanktread_post.observables import InputError
-from tanktread_post.reference import number_in, read_comparison, read_table
+from tanktread_post.reference import number_in, read_table
 from tanktread_post.table import Table
 
 HERE = pathlib.Path(__file__).parent
-readings, verdicts, figures = (module_of(HERE / f"{name}.py") for name in ("readings", "verdicts", "figures"))
+gathered, verdicts, statements, remarks, membrane_speed, figures, shape_figures = (
+    module_of(HERE / f"{name}.py") for name in ("gathered", "verdicts", "statements", "remarks", "membrane_speed", "figures", "shape_figures")
+)
+readings, histories, outlines = gathered.readings, gathered.histories, gathered.outlines
 
 SETTINGS = (
     (
         "means_over", "turning_over", "printed", "spans", "crossings", "bands", "span_bands", "volume_band", "dilatational_band",
-        "least_inclination_between",
+        "least_inclination_between", "outline_at", "deforming", "deforming_at", "marker_means_over",
     ),
     (),
 )  # fmt: skip
@@ -30,6 +31,7 @@ COLUMNS = (  # of the table of runs: heading, digits, member of Reading
     ("C*", 4, "circumference"), ("V*", 4, "membrane_speed"), ("nu* marker", 5, "nu_marker"), ("nu* V*/C*", 5, "nu_travel"),
     ("extent", 4, "vorticity_extent"), ("area", 4, "area_ratio"), ("volume from", 5, "least_volume"), ("to", 5, "greatest_volume"),
     ("Phi_mem", 3, "membrane_dissipation"), ("Phi_int", 3, "inner_dissipation"), ("d", 3, "dissipation_ratio"),
+    ("settled", 1, "settling_time"),
 )  # fmt: skip
 
 
@@ -40,29 +42,22 @@ def _wanted(case):
     return {tuple(number_in(file, column, row) for column in columns): row["run"] for row in read_table(file)}
 
 
-def _read(output, case):
-    """(settings, [Reading] of all finished runs)."""
-    settings = read_comparison(case)["analyse"]
-    found = readings.read_runs(output, settings)
-    if not found:
-        raise InputError(f"{output}: no finished run is there")
-    return settings, found
-
-
 def _text(value, digits):
     return "" if math.isnan(value) else f"{value:.{digits}f}"
 
 
-def _runs_table(found, case, settings):
+def _runs_table(known, case):
+    settings, found = known.settings, known.readings
     rows = [(r.run, *(f"{number:g}" for number in r.place), *(_text(getattr(r, name), digits) for _, digits, name in COLUMNS)) for r in found]
     there = {r.run for r in found}
     missing = [run for run in _wanted(case).values() if run not in there]
     before = [
         f"means over the last {settings['means_over']:g} shear times, +- half of the way between the extremes in them; volumes over the whole run;",
-        f"nu* by half turns of the marker within the last {settings['turning_over']:g}; Phi in mu_o g^2 a^3",
+        f"nu* by half turns of the marker within the last {settings['turning_over']:g}; Phi in mu_o g^2 a^3; settled: D is within {readings.SETTLED:.0%} of its mean",
     ]
     header = ("run", "lambda", "Bq_s", "Bq_d", *(heading for heading, *_ in COLUMNS))
-    return Table("the runs", header, rows, before=before, after=[f"not run yet: {', '.join(missing)}"] if missing else ())
+    lines = [f"{words}: {', '.join(runs)}" for words, runs in (("not run yet", missing), ("as kept in measured/, without output", known.kept)) if runs]
+    return Table("the runs", header, rows, before=before, after=lines)
 
 
 def _equivalents(found):
@@ -82,54 +77,76 @@ def _equivalent_table(found):
     return Table(title, ("Bq_s", "by D", "by the inclination", "lambda + d", ""), rows)
 
 
-def _crossing_table(found, case, settings):
-    file = pathlib.Path(case) / settings["crossings"]
-    rows = []
-    for row in read_table(file):
-        value, ends = number_in(file, "value", row), [number_in(file, end, row) for end in ("least", "most")]
-        ours = readings.crossings(found, row["at"], value, row["quantity"])
-        if not math.isnan(ours[0]):
-            label = f"{verdicts.NAMES[row['quantity']]} where {verdicts.NAMES[row['at']]} is {value:g}"
-            rows.append((label, "{:.4g} to {:.4g}".format(*ours), "{:g} to {:g}".format(*ends), "shown only"))
-    return Table("how far the inclination is from being one with D", ("quantity", "ours", "thesis", ""), rows)
+def _remark_table(known, case):
+    found, file = known.readings, pathlib.Path(case) / known.settings["crossings"]
+    rows = [
+        *remarks.frequency_rows(found),
+        *remarks.linear_row(found),
+        *remarks.round_row(found),
+        *remarks.speed_rows(found),
+        *remarks.crossing_rows(found, read_table(file), file, readings.crossings),
+        *remarks.curve_rows(found),
+        *remarks.dissipation_row(found),
+        *remarks.with_dilatational_rows(found),
+        *remarks.outline_rows(_deforming(known), known.histories.get(known.settings["deforming"])),
+    ]
+    return Table("what the thesis says of them besides", ("quantity", "ours", "thesis", ""), rows)
+
+
+def _deforming(known):
+    """The outlines of Fig. 4.11, as far as they are known."""
+    found = (known.outline(known.settings["deforming"], time) for time in known.settings["deforming_at"])
+    return [one for one in found if one is not None]
 
 
 def tables(output, case):
     """The runs, and what the thesis prints and says of them."""
-    settings, found = _read(output, case)
-    wanted, case = _wanted(case), pathlib.Path(case)
+    known, wanted, case = gathered.gather(output, case), _wanted(case), pathlib.Path(case)
+    found, settings = known.readings, known.settings
     printed, spans = case / settings["printed"], case / settings["spans"]
     bands, span_bands = dict(settings["bands"]), dict(settings["span_bands"])
     judged = [
         ("printed numbers", verdicts.printed_rows(found, read_table(printed), printed, bands)),
         ("the matrix", [
-            *verdicts.series_rows(found, wanted, settings),
+            *statements.rows_of(found, wanted, settings),
             *verdicts.span_rows(found, wanted, read_table(spans), spans, span_bands),
             verdicts.volume_row(found, settings["volume_band"]),
             *verdicts.dilatational_rows(found, settings["dilatational_band"]),
         ]),
     ]  # fmt: skip
     held = [Table(title, verdicts.HEADER, [row for row, _ in rows], [inside for _, inside in rows]) for title, rows in judged if rows]
-    further = [table for table in (_equivalent_table(found), _crossing_table(found, case, settings)) if table.rows]
-    return [_runs_table(found, case, settings), *held, *further]
+    further = [table for table in (_equivalent_table(found), _remark_table(known, case)) if table.rows]
+    return [_runs_table(known, case), *held, *further]
 
 
 def measured(output, case):
-    """readings.csv: all that is read of each run, a row a run."""
-    stream = io.StringIO()
-    names = [field.name for field in dataclasses.fields(readings.Reading) if field.name != "directory"]
-    writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow([*names, "nu_travel", "dissipation_ratio"])
-    for r in _read(output, case)[1]:
-        values = [getattr(r, name) for name in (*names[1:], "nu_travel", "dissipation_ratio")]
-        writer.writerow([r.run, *("" if math.isnan(value) else f"{value:.8g}" for value in values)])
-    return {"readings.csv": stream.getvalue()}
+    """What is known of each run, those among it that were kept before: numbers, in time, in the shear plane."""
+    known = gathered.gather(output, case)
+    texts = {"readings.csv": readings.table_of(known.readings)}
+    if known.histories:
+        texts["histories.csv"] = histories.table_of(known.histories[r.run] for r in known.readings if r.run in known.histories)
+    if known.outlines:
+        texts["outlines.csv"] = outlines.table_of(known.outlines[place] for place in sorted(known.outlines))
+    return texts
+
+
+def _title(place):
+    return rf"$(\lambda, Bq_s)$ = ({place[0]:g}, {place[1]:g})"
 
 
 def pictures(output, case):
-    """The thesis's figures, of the runs that are there."""
-    settings, found = _read(output, case)
-    file, printed = pathlib.Path(case) / settings["printed"], {}
+    """The thesis's figures, of the runs that are known."""
+    known, case = gathered.gather(output, case), pathlib.Path(case)
+    found, settings, printed = known.readings, known.settings, {}
+    file = case / settings["printed"]
     for row in read_table(file):
         printed.setdefault(row["quantity"], []).append(tuple(number_in(file, name, row) for name in ("viscosity_ratio", "bq_s", "value")))
-    return figures.all_pictures(output, found, functools.partial(readings.curves, found), printed, _equivalents(found))
+    shape = {r.run: known.outline(r.run, settings["outline_at"]) for r in found}
+    three = [row["run"] for row in read_table(case / "runs.csv") if "fig-4.4" in row["groups"].split()]
+    columns = [(_title(r.place), r, known.histories[r.run], shape[r.run]) for r in found if r.run in three and shape[r.run] and r.run in known.histories]
+    trio = [(_title(r.place), r, shape[r.run]) for r in membrane_speed.three_alike([r for r in found if shape[r.run]])]
+    deforming = known.histories.get(settings["deforming"]), _deforming(known)
+    return [
+        *figures.all_pictures(output, found, functools.partial(readings.curves, found), printed, _equivalents(found), known.histories),
+        *shape_figures.all_pictures(output, sorted(columns, key=lambda one: three.index(one[1].run)), trio, *deforming, settings["marker_means_over"]),
+    ]

@@ -1,9 +1,8 @@
-"""Pictures in the form of the thesis's Figures 4.2, 4.5, 4.6, 4.9 and 4.10, and the viscosity ratio that a membrane viscosity amounts to."""
+"""Pictures in the form of the thesis's Figures 4.2, 4.5, 4.6, 4.8, 4.9 and 4.10, and the viscosity ratio that a membrane viscosity amounts to."""
 
 import math
 import pathlib
 
-from tanktread_post.observables import Observables
 from tanktread_post.plot import COLOURS, LINES, SMALLEST_DEFORMATION, new_axes, new_panels, save
 
 TIME, LAMBDA, SHEAR = r"shear time  $\dot\gamma t$", r"viscosity ratio  $\lambda$", "$Bq_s$"
@@ -25,17 +24,16 @@ def _legend(axes):
 
 
 def evolution(file, columns):
-    """D and the inclination against time, a column for each list of (label, Reading). Returns the file, None where there is no run."""
+    """D and the inclination against time, a column for each list of (label, History). Returns the file, None where there is no run."""
     if not any(columns):
         return None
     figure, panels = new_panels([TIME] * len(columns), [LABELS["deformation"], LABELS["inclination_deg"]])
     for number, runs in enumerate(columns):
-        for k, (label, reading) in enumerate(runs):
-            observables = Observables(reading.directory)
-            seen = observables["deformation"] > SMALLEST_DEFORMATION
+        for k, (label, history) in enumerate(runs):
+            seen = history["deformation"] > SMALLEST_DEFORMATION
             form = {"color": COLOURS[k % len(COLOURS)], "linestyle": LINES[k // len(COLOURS) % len(LINES)], "label": label}
-            panels[0, number].plot(observables["shear_time"], observables["deformation"], **form)
-            panels[1, number].plot(observables["shear_time"][seen], observables["inclination_deg"][seen], **form)
+            panels[0, number].plot(history["shear_time"], history["deformation"], **form)
+            panels[1, number].plot(history["shear_time"][seen], history["inclination_deg"][seen], **form)
         for axes in panels[:, number]:
             axes.set_xlim(left=0)
         _legend(panels[0, number])
@@ -108,11 +106,28 @@ def equivalent(file, rows):
     return save(figure, file)
 
 
-def all_pictures(output, readings, curves, printed, equivalents):
-    """Draws what can be drawn of the runs that are there. Returns the files."""
-    output, by_place = pathlib.Path(output), {r.place: r for r in readings}
-    elastic = [(rf"$\lambda$ = {r.viscosity_ratio:g}", r) for r in curves("viscosity_ratio", "boussinesq_shear").get(0.0, [])]
-    viscous = [(f"$Bq_s$ = {r.boussinesq_shear:g}", r) for r in curves("boussinesq_shear", "viscosity_ratio").get(1.0, [])]
+def dissipation(file, series):
+    """What is dissipated in the membrane and inside (left), and their ratio (right), against Bq_s; `series`: Readings of one viscosity ratio."""
+    known = [r for r in series if not math.isnan(r.dissipation_ratio)]
+    if len(known) < 2:
+        return None
+    x, membrane, inner = zip(*((r.boussinesq_shear, r.membrane_dissipation, r.inner_dissipation) for r in known))
+    figure, panels = new_panels([SHEAR, SHEAR], [r"dissipation  $\Phi/(\mu_o\dot\gamma^2a^3)$"])
+    drawn = ((membrane, r"$\Phi_{mem}$"), (inner, r"$\Phi_{int}$"), ([a + b for a, b in zip(membrane, inner)], "sum"))
+    for colour, (values, label) in zip(COLOURS, drawn):
+        panels[0, 0].plot(x, values, "o-", color=colour, label=label)
+    panels[0, 1].plot(x, [r.dissipation_ratio for r in known], "o-", color=COLOURS[0])
+    panels[0, 1].set_ylabel(r"$d = \Phi_{mem}/\Phi_{int}$")
+    _legend(panels[0, 0])
+    return save(figure, file)
+
+
+def all_pictures(output, readings, curves, printed, equivalents, histories):
+    """Draws what can be drawn of the runs that are there; `histories`: {run: History}. Returns the files."""
+    output = pathlib.Path(output)
+    by_place = {r.place: histories[r.run] for r in readings if r.run in histories}
+    elastic = [(rf"$\lambda$ = {place[0]:g}", one) for place, one in sorted(by_place.items()) if place[1:] == (0, 0)]
+    viscous = [(f"$Bq_s$ = {place[1]:g}", one) for place, one in sorted(by_place.items()) if (place[0], place[2]) == (1, 0)]
     numbers = sorted({place[2] for place in by_place if place[2] > 0})
     without = [("$Bq_s$ = $Bq_d$ = 0", by_place[1.0, 0.0, 0.0])] if numbers and (1.0, 0.0, 0.0) in by_place else []
     alone = [(f"$Bq_d$ = {n:g}, $Bq_s$ = 0", by_place[1.0, 0.0, n]) for n in numbers if (1.0, 0.0, n) in by_place]
@@ -121,6 +136,7 @@ def all_pictures(output, readings, curves, printed, equivalents):
         evolution(output / "fig-4.2.png", [elastic, viscous]),
         over_the_matrix(output / "fig-4.5.png", ("deformation", "inclination_deg"), curves, printed),
         over_the_matrix(output / "fig-4.6.png", ("circumference", "membrane_speed", "nu_travel"), curves, printed),
+        dissipation(output / "fig-4.8.png", curves("boussinesq_shear", "viscosity_ratio").get(1.0, [])),
         inclination_over_deformation(output / "fig-4.9.png", readings, curves),
         evolution(output / "fig-4.10.png", [without + alone, without + together] if numbers else []),
         equivalent(output / "equivalent.png", equivalents),

@@ -1,17 +1,24 @@
-"""What is read of one run of the matrix: shape, contour, rotation and dissipation at its end."""
+"""What is read of one run of the matrix: shape, contour, rotation and dissipation at its end, from its tables or from measured/readings.csv."""
 
+import csv
 import dataclasses
+import io
 import math
 import pathlib
 
 import numpy
 
-from tanktread_post.observables import Observables
+from tanktread_post.observables import InputError, Observables
+from tanktread_post.reference import read_table
 from tanktread_post.run_folder import end_of, finished_runs, read_echo, read_parameters
 
 SHAPE = ("deformation", "inclination_deg", "area_ratio")  # of observables.csv
 CONTOUR = ("circumference", "membrane_speed", "vorticity_extent")  # of measures.csv
 AMPLITUDES = ("deformation", "inclination_deg")
+SETTLED = 0.02  # share of the mean of D from which D is no farther away once the run has settled
+
+
+FOLLOWS = ("nu_travel", "dissipation_ratio")  # from the others
 
 
 @dataclasses.dataclass(frozen=True)
@@ -19,7 +26,7 @@ class Reading:
     """One run. Means over its last shear times; what measures.csv or energy.csv would say is NaN where there is no such file."""
 
     run: str
-    directory: pathlib.Path
+    commit: str  # of the program that made it
     viscosity_ratio: float
     boussinesq_shear: float
     boussinesq_dilatational: float
@@ -36,6 +43,7 @@ class Reading:
     nu_marker: float  # nu* = 2 pi/(g T) by the marker
     membrane_dissipation: float  # Phi_mem, in mu_o g^2 a^3
     inner_dissipation: float  # Phi_int, likewise
+    settling_time: float  # shear time from which D stays within SETTLED of its mean; 0 where it does so all the time
 
     @property
     def nu_travel(self):
@@ -95,6 +103,12 @@ def _dissipation(directory, start, end):
     return dict(zip(names, (viscous / unit, energy.mean("inner", start, end) / unit or math.nan)))
 
 
+def _settling_time(times, values, mean):
+    """When the values were last farther from their mean than the share SETTLED of it."""
+    away = numpy.flatnonzero(numpy.abs(values - mean) > SETTLED * abs(mean))
+    return float(times[away[-1]]) if len(away) else 0.0
+
+
 def read_run(directory, settings):
     """The reading of one finished run."""
     echo, observables = read_echo(directory), Observables(directory)
@@ -107,7 +121,7 @@ def read_run(directory, settings):
     volume = observables["volume_ratio"]
     return Reading(
         run=directory.name,
-        directory=directory,
+        commit=str(read_parameters(directory)["commit"]),
         viscosity_ratio=float(capsule.get("viscosity_ratio", flow["viscosity_ratio"])),
         boussinesq_shear=float(viscous.get("boussinesq_shear", 0)),
         boussinesq_dilatational=float(viscous.get("boussinesq_dilatational", 0)),
@@ -117,12 +131,42 @@ def read_run(directory, settings):
         greatest_volume=float(volume.max()),
         **_contour(directory, (flow["flow_axis"], flow["wall_axis"]), start, end, settings["turning_over"]),
         **_dissipation(directory, start, end),
+        settling_time=_settling_time(observables["shear_time"], observables["deformation"], observables.mean("deformation", start, end)),
     )
 
 
-def read_runs(output, settings):
-    """The readings of all finished runs below a folder, in rising (lambda, Bq_s, Bq_d)."""
-    return sorted((read_run(directory, settings) for directory in finished_runs(output)), key=lambda r: r.place)
+def read_runs(output, settings, kept=None):
+    """The readings of all finished runs below a folder, and of those of `kept` (measured/readings.csv) that are not among them, in rising
+    (lambda, Bq_s, Bq_d)."""
+    found = {directory.name: read_run(directory, settings) for directory in finished_runs(output)}
+    return sorted(((read_kept(kept) if kept else {}) | found).values(), key=lambda r: r.place)
+
+
+def table_of(readings):
+    """The text of measured/readings.csv: all that is read of each run, and what follows from it, a row a run."""
+    stream = io.StringIO()
+    names = [field.name for field in dataclasses.fields(Reading)]
+    writer = csv.writer(stream, lineterminator="\n")
+    writer.writerow([*names, *FOLLOWS])
+    for r in readings:
+        values = [getattr(r, name) for name in (*names[2:], *FOLLOWS)]
+        writer.writerow([r.run, r.commit, *("" if math.isnan(value) else f"{value:.8g}" for value in values)])
+    return stream.getvalue()
+
+
+def read_kept(file):
+    """{run: Reading} of measured/readings.csv; nothing where there is no such file. An empty cell is not known."""
+    if not pathlib.Path(file).is_file():
+        return {}
+    numbers = [field.name for field in dataclasses.fields(Reading)][2:]
+    found = {}
+    for row in read_table(file):
+        try:
+            values = {name: float(row[name] or "nan") for name in numbers}
+            found[row["run"]] = Reading(row["run"], row["commit"], **values)
+        except (KeyError, ValueError) as error:
+            raise InputError(f"{file}: {error}; it is damaged, or of before a column was added: run --measure of the run again") from error
+    return found
 
 
 def curves(readings, along, by):

@@ -1,6 +1,5 @@
-"""What the thesis says of the matrix, held against the runs that are there: a row each, (label, of what, ours, thesis, difference, band, word), and its verdict.
-
-A statement about a series of runs is judged once all of its runs in runs.csv are finished; `wanted` below are the places (lambda, Bq_s, Bq_d) of these.
+"""The numbers that the thesis prints of the matrix, held against the runs that are there: a row each, (label, of what, ours, thesis, difference, band, word),
+and its verdict. What it says of series of runs is in statements.py, what is only shown in remarks.py.
 """
 
 import math
@@ -42,73 +41,6 @@ def printed_rows(readings, table, file, bands):
     return rows
 
 
-def _of_series(label, of, places, readings, judge):
-    """A statement about a series: (ours, holds) of its readings by `judge`, in the order of the places."""
-    by_place = {r.place: r for r in readings}
-    missing = [place_name(place) for place in places if place not in by_place]
-    if missing or not places:
-        return (label, of, "", "", "", "", f"not judged yet: {len(places) - len(missing)} of {len(places)} runs"), None
-    ours, holds = judge([by_place[place] for place in places])
-    if holds is None:
-        return (label, of, ours, "", "", "", "not judged yet"), None
-    return (label, of, ours, "", "", "", WORDS[holds]), holds
-
-
-def falls(quantity, digits=4):
-    """A judge: whether a quantity falls from each run to the next."""
-
-    def judge(series):
-        values = [getattr(r, quantity) for r in series]
-        return " ".join(f"{value:.{digits}f}" for value in values), None if any(map(math.isnan, values)) else all(b < a for a, b in zip(values, values[1:]))
-
-    return judge
-
-
-def falls_then_rises(quantity):
-    """A judge: whether a quantity has one least value, inside the series, and falls to it and rises from it."""
-
-    def judge(series):
-        values = [getattr(r, quantity) for r in series]
-        if any(map(math.isnan, values)):
-            return "", None
-        least = values.index(min(values))
-        down, up = values[: least + 1], values[least:]
-        holds = 0 < least < len(values) - 1 and all(b < a for a, b in zip(down, down[1:])) and all(b > a for a, b in zip(up, up[1:]))
-        return " ".join(f"{value:.4f}" for value in values), holds
-
-    return judge
-
-
-def least_inclination_between(low, high):
-    """A judge: whether the inclination is least at a Bq_s between two."""
-
-    def judge(series):
-        least = min(series, key=lambda r: r.inclination_deg)
-        return f"{least.inclination_deg:.2f} degrees at {least.boussinesq_shear:g}", low <= least.boussinesq_shear <= high
-
-    return judge
-
-
-def series_rows(readings, wanted, settings):
-    """The statements about series of the matrix."""
-    matrix = sorted(place for place in wanted if place[2] == 0)
-    ratios, shears = sorted({p[0] for p in matrix}), sorted({p[1] for p in matrix})
-    of_shear = {shear: [p for p in matrix if p[1] == shear] for shear in shears}
-    of_ratio = {ratio: [p for p in matrix if p[0] == ratio] for ratio in ratios}
-    rows = []
-    for quantity, digits in (("deformation", 4), ("inclination_deg", 2)):
-        for shear, places in of_shear.items():
-            rows.append(_of_series(f"{NAMES[quantity]} falls with lambda", f"Bq_s = {shear:g}", places, readings, falls(quantity, digits)))
-    for ratio, places in of_ratio.items():
-        rows.append(_of_series("D falls with Bq_s", f"lambda = {ratio:g}", places, readings, falls("deformation")))
-    low, high = settings["least_inclination_between"]
-    rows.append(_of_series("inclination is least near Bq_s = 10", "lambda = 1", of_ratio.get(1.0, []), readings, least_inclination_between(low, high)))
-    spoon = falls_then_rises("membrane_speed")
-    rows.append(_of_series("V* is spoon-shaped in Bq_s", "lambda = 0.2", of_ratio.get(0.2, []), readings, spoon))
-    rows.append(_of_series("V* is spoon-shaped in lambda", "Bq_s = 0", of_shear.get(0.0, []), readings, spoon))
-    return rows
-
-
 def span_rows(readings, wanted, table, file, bands):
     """The least and the greatest value over the matrix; judged when the whole of it is there, shown before."""
     matrix = [r for r in readings if r.boussinesq_dilatational == 0]
@@ -121,6 +53,10 @@ def span_rows(readings, wanted, table, file, bands):
             if values:
                 label = f"{NAMES[name]}, {word} of {len(values)} runs"
                 rows.append(table_row(label, row.get("place", "Sect. 4.3.3"), find(values), number_in(file, word, row), True, bands.get(name) if whole else None))
+        if len(values) > 1:
+            printed = number_in(file, "variation", row)
+            ours = (max(values) - min(values)) / (max(values) + min(values))
+            rows.append(table_row(f"{NAMES[name]}, half of the span over its middle", "Sect. 4.3.3", ours, printed, False, None))
     return rows
 
 

@@ -3,6 +3,8 @@
 An elastic capsule of small deformation has the same D at every viscosity ratio, so what its D over the theory differs from that with
 viscosity ratio 1 is an error of the contrast: of the viscosities on the grid and of the velocity along the membrane, which has a kink
 (docs/kernels.md, "Two fluids"). With the shear dipole it is of second order in the grid step, and so are lines in 1/a^2 here.
+A drop has an error of its mesh besides, of second order too: the tension of flat triangles that the flow has sheared. The theory is of first order, and
+what D is off by then goes as Ca^2. So drops are judged where lines in 1/triangles, 1/a^2 and Ca^2 go.
 """
 
 import collections
@@ -19,7 +21,7 @@ from tanktread_post.reference import matching_rows, number_in, read_comparison, 
 from tanktread_post.run_folder import finished_runs, read_echo
 from tanktread_post.table import Table, verdict
 
-SETTINGS = (("reference", "judged_radius", "elastic_band", "elastic_judged"), ())
+SETTINGS = (("reference", "judged_radius", "elastic_band", "elastic_judged", "drop_band", "drop_band_deg"), ())
 KINDS = {"skalak": "elastic", "interfacial-tension": "drop"}
 TITLES = {"elastic": "elastic capsules", "drop": "drops"}
 
@@ -97,6 +99,26 @@ def beside_one(by_ratio):
     }
 
 
+def drop_limit(series, ratio, value):
+    """Where a value of the readings of drops goes for fine meshes, then wide radii, then Ca to 0, by lines through what is there: its last stage and
+    all before it as [(words, number)]; empty unless each radius of each Ca has two meshes, and there are two radii. `value` is of a Reading."""
+    by_number = {}
+    for key, by_ratio in series.items():
+        if key.kind == "drop":
+            for radius, r in by_ratio.get(ratio, {}).items():
+                by_number.setdefault(key.capillary_number, {}).setdefault(radius, {})[key.level] = value(r)
+    stages, at_number = [], {}
+    for number, by_radius in sorted(by_number.items()):
+        if len(by_radius) < 2 or any(len(by_level) < 2 for by_level in by_radius.values()):
+            return []
+        fine = {radius: intercept([4.0**-level for level in by_level], list(by_level.values())) for radius, by_level in by_radius.items()}
+        at_number[number] = limit(fine)
+        stages.append((f"Ca = {number:g}", at_number[number]))
+    if len(at_number) > 1:
+        stages.append(("Ca to 0", intercept([number**2 for number in at_number], list(at_number.values()))))
+    return stages
+
+
 def _percent(share):
     return "" if share is None or math.isnan(share) else f"{100 * share:+.2f} %"
 
@@ -129,12 +151,29 @@ def _elastic_table(by_ratio, settings):
     return Table(title, ("lambda", "a", "more than with 1", ""), rows, verdicts)
 
 
+def _drop_table(series, settings):
+    rows, verdicts = [], []
+    for ratio in sorted({ratio for key, by_ratio in series.items() if key.kind == "drop" for ratio in by_ratio}):
+        errors = drop_limit(series, ratio, lambda r: r.error)
+        turned = drop_limit(series, ratio, lambda r: r.turned)
+        for (words, error), (_, angle) in zip(errors, turned):
+            judged = words == errors[-1][0]
+            inside = verdict(error, settings["drop_band"]) and verdict(angle, settings["drop_band_deg"])
+            word = {True: "inside", False: "OUTSIDE"}[inside] if judged else "shown only"
+            rows.append((f"{ratio:g}", words, _percent(error), f"{angle:+.2f}", word))
+            verdicts.append(inside if judged else None)
+    bands = f"{100 * settings['drop_band']:g} % and {settings['drop_band_deg']:g} degree"
+    title = f"drops: against the theory, by lines in 1/triangles, 1/a^2 and Ca^2; bands {bands}"
+    return Table(title, ("lambda", "", "D", "degrees", ""), rows, verdicts)
+
+
 def tables(output, case):
-    """The errors of D and of the inclination, and what of an elastic capsule's is the contrast's, which is judged."""
+    """The errors of D and of the inclination; what of an elastic capsule's is the contrast's, and where those of drops go, which are judged."""
     settings = read_comparison(case)["analyse"]
     series = read_runs(output, case, settings)
-    compared = [_elastic_table(by_ratio, settings) for key, by_ratio in series.items() if key.kind == "elastic" and 1.0 in by_ratio]
-    return [*(_error_table(key, by_ratio) for key, by_ratio in series.items()), *compared]
+    judged = [_elastic_table(by_ratio, settings) for key, by_ratio in series.items() if key.kind == "elastic" and 1.0 in by_ratio]
+    drops = _drop_table(series, settings)
+    return [*(_error_table(key, by_ratio) for key, by_ratio in series.items()), *judged, *([drops] if drops.rows else [])]
 
 
 def measured(output, case):

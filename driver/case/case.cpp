@@ -64,9 +64,9 @@ Case case_of(const CaseReader& reader) {
 /// can lie anywhere.
 void find_mesh_files(Case& the_case, const std::filesystem::path& directory) {
   for (auto& capsule : the_case.capsules) {
-    if (capsule.mesh.file.empty()) continue;
-    const auto file = std::filesystem::absolute(directory / capsule.mesh.file);
-    capsule.mesh.file = file.lexically_normal().string();
+    for (auto* file : {&capsule.mesh.file, &capsule.stress_free.file}) {
+      if (!file->empty()) *file = std::filesystem::absolute(directory / *file).lexically_normal().string();
+    }
   }
 }
 

@@ -59,12 +59,31 @@ struct ViscousCase {
   bool operator==(const ViscousCase&) const = default;
 };
 
+/// Energies of the whole membrane beside its elastic law (docs/energy-terms.md), in units of G: the modulus
+/// of its law (G_s; gamma of a tension; kappa_b/a^2 without a law). 0: there is none.
+struct EnergyCase {
+  double bending_modulus = 0;        ///< kappa_b/(G a^2), 1 over the Foeppl-von Karman number
+  double spontaneous_curvature = 0;  ///< c_0 a; a sphere of the radius a has 2
+  double global_area_modulus = 0;    ///< k_A/G
+  double local_area_modulus = 0;     ///< k_d/G
+  double volume_modulus = 0;         ///< k_V a/G
+  double reference_area = 1;         ///< A_0 over the area of the mesh
+  double reference_volume = 1;       ///< V_0 over its volume
+
+  bool operator==(const EnergyCase&) const = default;
+};
+
+/// The name of no elastic law: the membrane is then of its energies alone, as a vesicle.
+inline constexpr const char* no_elastic_law = "none";
+
 struct MembraneCase {
   std::string elastic_law = "skalak";
   double capillary_number = 0.3;
-  std::string capillary_modulus = "E_s";  ///< E_s = 2 G_s | G_s | gamma (interfacial-tension)
+  std::string capillary_modulus =
+      "E_s";  ///< E_s = 2 G_s | G_s | gamma (interfacial-tension) | kappa_b (none)
   double area_ratio = 1.0;
   double poisson_ratio = 0.5;
+  EnergyCase energy;
   std::vector<std::string> command;  ///< a program in the place of the laws; empty: none
   ViscousCase viscous;
 
@@ -72,19 +91,49 @@ struct MembraneCase {
 };
 
 struct MeshCase {
-  std::string shape = "sphere";
+  std::string shape = "sphere";  ///< sphere | biconcave | spheroid
   int level = 3;
+  std::optional<double> aspect_ratio;    ///< of a spheroid, its axis over its diameter; or
+  std::optional<double> reduced_volume;  ///< of an oblate one, V/(4 pi/3 (A/(4 pi))^(3/2))
   std::string file;  ///< a .vtu instead of a shape, absolute; scaled to `radius` by its volume; "": none
 
   std::string file_hash;  ///< of the points and triangles in `file` (geometry_hash); "": not known, not asked
 
+  /// How the mesh is turned about its centre: at most one of these; none: as it is, its axis along z.
+  std::optional<std::array<double, 3>> direction;     ///< where its z goes, by the shortest turn
+  std::optional<std::array<double, 3>> euler_angles;  ///< degrees, about z, the new x, the new z
+
   bool operator==(const MeshCase&) const = default;
+};
+
+/// The shape in which the elastic law has no stress, where it is not that of the mesh: of the same triangles,
+/// scaled to the area of the mesh, turned as it is.
+struct StressFreeCase {
+  std::string shape = "mesh";            ///< mesh | sphere | biconcave | spheroid
+  std::optional<double> aspect_ratio;    ///< as MeshCase
+  std::optional<double> reduced_volume;  ///< as MeshCase
+  std::string file;                      ///< a .vtu of the same triangles instead, absolute; "": none
+  std::string file_hash;                 ///< as MeshCase
+
+  bool operator==(const StressFreeCase&) const = default;
+};
+
+/// Two forces that pull a capsule apart along an axis, each on a patch at an end, as tweezers do.
+struct LoadCase {
+  double force = 0;                             ///< F/(G a) on each patch; negative: pressed together
+  std::array<double, 3> direction = {1, 0, 0};  ///< the axis; any length but 0
+  double patch = 0.02;                          ///< area of a patch over that of the mesh
+  std::optional<double> until;                  ///< shear times; none: never switched off
+
+  bool operator==(const LoadCase&) const = default;
 };
 
 struct CapsuleCase {
   double radius = 0;  ///< grid steps
   std::array<double, 3> position = {0, 0, 0};
   MeshCase mesh;
+  StressFreeCase stress_free;
+  LoadCase load;
   MembraneCase membrane;  ///< [membrane] with the capsule's own table laid over it
   double viscosity_ratio = 1.0;
 
@@ -132,9 +181,17 @@ struct SiCase {
   std::optional<double> inner_viscosity_Pa_s =
       std::nullopt;  ///< of the fluid in all capsules; none: by viscosity_ratio
   double density_kg_per_m3 = 1000;
-  std::optional<double> shear_modulus_N_per_m, interfacial_tension_N_per_m;  ///< exactly one
+  /// Exactly one, and none without an elastic law.
+  std::optional<double> shear_modulus_N_per_m, interfacial_tension_N_per_m;
   std::optional<double> membrane_shear_viscosity_N_s_per_m = std::nullopt;
   std::optional<double> membrane_dilatational_viscosity_N_s_per_m = std::nullopt;
+  // In the place of the numbers of EnergyCase and LoadCase; of all capsules. None: 0.
+  std::optional<double> bending_modulus_J = std::nullopt;
+  std::optional<double> spontaneous_curvature_per_m = std::nullopt;  ///< of either sign
+  std::optional<double> global_area_modulus_N_per_m = std::nullopt;
+  std::optional<double> local_area_modulus_N_per_m = std::nullopt;
+  std::optional<double> volume_modulus_N_per_m2 = std::nullopt;
+  std::optional<double> load_force_N = std::nullopt;  ///< of either sign
 
   bool operator==(const SiCase&) const = default;
 };

@@ -135,7 +135,11 @@ bool has_walls(const Case& the_case, int axis) {
 }
 
 bool is_sphere(const CapsuleCase& capsule) {
-  return capsule.mesh.file.empty();
+  return capsule.mesh.file.empty() && capsule.mesh.shape == "sphere";
+}
+
+bool has_own_stress_free_shape(const CapsuleCase& capsule) {
+  return !capsule.stress_free.file.empty() || capsule.stress_free.shape != "mesh";
 }
 
 Extent extent_of_sphere(const CapsuleCase& capsule) {

@@ -1,5 +1,5 @@
 // Where the capsules of a case have room: what is the same for a sphere, which is known by its radius, and
-// for a mesh from a file, which is known when it has been read (driver/system/placement.hpp).
+// for another mesh, which is known when it has been made or read (driver/system/placement.hpp).
 #pragma once
 
 #include <optional>
@@ -12,8 +12,11 @@ namespace tanktread::driver {
 /// The axis has walls at its ends; else it is periodic.
 bool has_walls(const Case& the_case, int axis);
 
-/// Its membrane is a sphere of its radius, not a mesh from a file.
+/// Its membrane starts as a sphere of its radius, not as another shape or a mesh from a file.
 bool is_sphere(const CapsuleCase& capsule);
+
+/// Its stress-free shape is another than the mesh that it starts as.
+bool has_own_stress_free_shape(const CapsuleCase& capsule);
 
 /// How far a membrane reaches down and up an axis from the position of its capsule, grid steps.
 struct Extent {

@@ -41,29 +41,9 @@ std::string refuse_magic_parameter(const Case& the_case, std::size_t) {
   return "contradicts collision = \"bgk\", which has one relaxation time; remove it, or use \"trt\"";
 }
 
-std::string refuse_shape(const Case& the_case, std::size_t capsule) {
-  if (the_case.capsules[capsule].mesh.file.empty()) return "";
-  return "contradicts mesh.file; remove one of them";
-}
-
-std::string refuse_no_file(const Case& the_case, std::size_t capsule) {
-  if (!the_case.capsules[capsule].mesh.file.empty()) return "";
-  return "is empty; give the path of a .vtu, or mesh.shape in its place";
-}
-
-std::string refuse_hash(const Case& the_case, std::size_t capsule) {
-  if (!the_case.capsules[capsule].mesh.file.empty()) return "";
-  return "is of mesh.file, which is not given; remove it";
-}
-
 std::string refuse_beside_si(const Case& the_case, std::size_t) {
   if (!the_case.si) return "";
   return "contradicts [si], from which it follows; remove one of them";
-}
-
-std::string refuse_beside_inner_viscosity(const Case& the_case, std::size_t) {
-  if (!the_case.si || !the_case.si->inner_viscosity_Pa_s) return "";
-  return "contradicts si.inner_viscosity_Pa_s, from which it follows; remove one of them";
 }
 
 /// A parameter of some elastic laws only; a program that knows no laws leaves it.
@@ -124,7 +104,46 @@ using InFlow = InCase<&Case::flow, member>;
 template <auto... members>
 using InMembrane = InCapsule<&CapsuleCase::membrane, members...>;
 template <auto member>
+using InEnergy = InMembrane<&MembraneCase::energy, member>;
+template <auto member>
 using InViscous = InMembrane<&MembraneCase::viscous, member>;
+
+/// Without a law the bending modulus is what Ca is of.
+std::string refuse_bending_modulus(const Case& the_case, std::size_t capsule) {
+  if (the_case.si) return refuse_beside_si(the_case, capsule);
+  if (the_case.capsules[capsule].membrane.elastic_law != no_elastic_law) return "";
+  return "contradicts elastic_law = \"none\", whose capillary_number is of kappa_b; remove it";
+}
+
+std::vector<Key> energy_keys(const std::string& prefix) {
+  using E = EnergyCase;
+  return {
+      key<InEnergy<&E::bending_modulus>>(prefix + "bending_modulus", "",
+                                         "kappa_b/(G a^2), G the modulus of the law (G_s, gamma); 0: none")
+          .from(0)
+          .unless(refuse_bending_modulus),
+      key<InEnergy<&E::spontaneous_curvature>>(prefix + "spontaneous_curvature", "",
+                                               "c_0 a; a sphere of the radius has 2")
+          .unless(refuse_beside_si),
+      key<InEnergy<&E::global_area_modulus>>(prefix + "global_area_modulus", "",
+                                             "k_A/G, of the whole area; 0: none")
+          .from(0)
+          .unless(refuse_beside_si),
+      key<InEnergy<&E::local_area_modulus>>(prefix + "local_area_modulus", "",
+                                            "k_d/G, of the area of each triangle; 0: none")
+          .from(0)
+          .unless(refuse_beside_si),
+      key<InEnergy<&E::volume_modulus>>(prefix + "volume_modulus", "", "k_V a/G; 0: none")
+          .from(0)
+          .unless(refuse_beside_si),
+      key<InEnergy<&E::reference_area>>(prefix + "reference_area", "",
+                                        "area at rest of both area terms, over that of the mesh")
+          .above(0),
+      key<InEnergy<&E::reference_volume>>(prefix + "reference_volume", "",
+                                          "volume at rest of the volume term, over that of the mesh")
+          .above(0),
+  };
+}
 
 std::vector<Key> viscous_keys(const std::string& prefix) {
   using V = ViscousCase;
@@ -231,42 +250,6 @@ std::vector<Key> title_and_flow_keys() {
   };
 }
 
-std::vector<Key> capsule_keys() {
-  using C = CapsuleCase;
-  return {
-      key<InCapsule<&C::radius>>("capsule.N.radius", "grid steps",
-                                 "undeformed radius a (of the sphere of equal volume)")
-          .above(0)
-          .required(),
-      key<InCapsule<&C::position>>("capsule.N.position", "grid steps",
-                                   "centre; the box goes from 0 to flow.box")
-          .required(),
-      key<InCapsule<&C::mesh, &MeshCase::shape>>("capsule.N.mesh.shape", "", "shape made by the program")
-          .one_of({"sphere"})
-          .unless(refuse_shape),
-      key<InCapsule<&C::mesh, &MeshCase::level>>("capsule.N.mesh.level", "", "20 * 4^level triangles")
-          .from(0)
-          .to(8)
-          .unless(refuse_shape),
-      key<InCapsule<&C::mesh, &MeshCase::file>>(
-          "capsule.N.mesh.file", "",
-          "a closed surface (.vtu) instead, scaled to the radius by its volume; path from the case file")
-          .preset("")
-          .unless(refuse_no_file)
-          .free_on_resume(),
-      key<InCapsule<&C::mesh, &MeshCase::file_hash>>(
-          "capsule.N.mesh.file_hash", "",
-          "of the points and triangles in mesh.file (`tanktread mesh info` says it): a file with another is "
-          "refused")
-          .preset("")
-          .unless(refuse_hash),
-      key<InCapsule<&C::viscosity_ratio>>("capsule.N.viscosity_ratio", "", "lambda of this capsule")
-          .above(0)
-          .preset("flow.viscosity_ratio")
-          .unless(refuse_beside_inner_viscosity),
-  };
-}
-
 std::vector<Key> membrane_keys(const std::string& prefix) {
   using M = MembraneCase;
   std::vector<Key> keys = {
@@ -279,8 +262,8 @@ std::vector<Key> membrane_keys(const std::string& prefix) {
           .unless(refuse_beside_si),
       key<InMembrane<&M::capillary_modulus>>(prefix + "capillary_modulus", "",
                                              "the modulus in Ca: E_s = 2 G_s or G_s (all with shear "
-                                             "elasticity), gamma (interfacial-tension)")
-          .one_of({"E_s", "G_s", "gamma"})
+                                             "elasticity), gamma (interfacial-tension), kappa_b/a^2 (none)")
+          .one_of({"E_s", "G_s", "gamma", "kappa_b"})
           .preset("by the law")
           .unless(refuse_beside_si),
       key<InMembrane<&M::area_ratio>>(prefix + "area_ratio", "", with_laws("C = E_a/E_s", "area_ratio"))
@@ -294,8 +277,8 @@ std::vector<Key> membrane_keys(const std::string& prefix) {
           prefix + "command", "",
           "a program in the place of the membrane's laws, and its arguments; []: none"),
   };
-  const auto viscous = viscous_keys(prefix + "viscous.");
-  keys.insert(keys.end(), viscous.begin(), viscous.end());
+  for (const auto& group : {energy_keys(prefix), viscous_keys(prefix + "viscous.")})
+    keys.insert(keys.end(), group.begin(), group.end());
   return keys;
 }
 

@@ -59,7 +59,14 @@ Value get_member(const Case& the_case, std::size_t capsule) {
 
 template <typename Place>
 void set_member(Case& the_case, std::size_t capsule, const Value& value) {
-  Place::of(the_case, capsule) = std::get<typename HeldBy<MemberType<Place>>::type>(value);
+  using Member = typename HeldBy<MemberType<Place>>::type;
+  if constexpr (!std::is_same_v<MemberType<Place>, Member>) {
+    if (!is_given(value)) {  // the default of a key that is optional
+      Place::of(the_case, capsule).reset();
+      return;
+    }
+  }
+  Place::of(the_case, capsule) = std::get<Member>(value);
 }
 
 /// An axis is 0, 1, 2 in the case and a letter in the file.
@@ -123,6 +130,12 @@ KeyMaker axis_key(std::string path, std::string meaning) {
   maker.key.set = set_axis<Place>;
   maker.key.preset = toml_text(get_axis<Place>(defaults, 0));
   return std::move(maker).one_of({"x", "y", "z"});
+}
+
+/// For KeyMaker::unless(): a viscosity ratio that [si] says as two viscosities.
+inline std::string refuse_beside_inner_viscosity(const Case& the_case, std::size_t) {
+  if (!the_case.si || !the_case.si->inner_viscosity_Pa_s) return "";
+  return "contradicts si.inner_viscosity_Pa_s, from which it follows; remove one of them";
 }
 
 }  // namespace tanktread::driver

@@ -92,7 +92,7 @@ std::vector<Key> coupler_run_output_keys() {
           .free_on_resume(),
       key<InCase<&Case::output, &O::measures_every>>(
           "output.measures_every", "shear times",
-          "between rows of measures.csv (contour, its speed, extent, marker); 0: never")
+          "between rows of measures.csv (contour, its speed, extents, marker, axes); 0: never")
           .from(0)
           .free_on_resume(),
       key<InCase<&Case::output, &O::energy_every>>(

@@ -30,6 +30,21 @@ std::vector<Key> si_keys() {
                                                                "N s/m",
                                                                "mu_d, in place of boussinesq_dilatational")
           .from(0),
+      key<InSi<&S::bending_modulus_J>>("si.bending_modulus_J", "J", "kappa_b, in place of bending_modulus")
+          .from(0),
+      key<InSi<&S::spontaneous_curvature_per_m>>("si.spontaneous_curvature_per_m", "1/m",
+                                                 "c_0, in place of spontaneous_curvature"),
+      key<InSi<&S::global_area_modulus_N_per_m>>("si.global_area_modulus_N_per_m", "N/m",
+                                                 "k_A, in place of global_area_modulus")
+          .from(0),
+      key<InSi<&S::local_area_modulus_N_per_m>>("si.local_area_modulus_N_per_m", "N/m",
+                                                "k_d, in place of local_area_modulus")
+          .from(0),
+      key<InSi<&S::volume_modulus_N_per_m2>>("si.volume_modulus_N_per_m2", "N/m^2",
+                                             "k_V, in place of volume_modulus")
+          .from(0),
+      key<InSi<&S::load_force_N>>("si.load_force_N", "N",
+                                  "of each end of each capsule, in place of load.force"),
   };
 }
 

@@ -12,11 +12,9 @@ void read_membranes(const std::filesystem::path& file, SavedState& state) {
   const auto content = exchange::read_surface(file);
   const auto name = file.string();
   auto surfaces = surfaces_of(content, name);
-  const auto references = vectors_of(content, "reference_position", surfaces, name);
-  for (std::size_t k = 0; k < references.size(); ++k) {
-    state.references.push_back({references[k], surfaces.triangles[k]});
+  state.shapes = shapes_of(content, surfaces, name);
+  for (std::size_t k = 0; k < state.shapes.meshes.size(); ++k)
     state.membranes.push_back(membrane_state_of(content, k, name));
-  }
   state.node_velocity = vectors_of(content, "velocity", surfaces, name);
   state.node_force = vectors_of(content, "total_force", surfaces, name);
   state.positions = std::move(surfaces.positions);
@@ -66,6 +64,17 @@ fluid::State state_of(exchange::GridPacket file, const std::string& name) {
   for (auto& array : file.point_data)
     state.arrays.push_back({array.name, array.components, std::move(array.values)});
   return state;
+}
+
+MembraneShapes shapes_of(const exchange::SurfacePacket& file, const Surfaces& surfaces,
+                         const std::string& name) {
+  MembraneShapes shapes;
+  shapes.stress_free = vectors_of(file, reference_array, surfaces, name);
+  const bool starts_elsewhere = exchange::find_optional_array(file.point_data, start_array) != nullptr;
+  auto starts = starts_elsewhere ? vectors_of(file, start_array, surfaces, name) : shapes.stress_free;
+  for (std::size_t k = 0; k < starts.size(); ++k)
+    shapes.meshes.push_back({std::move(starts[k]), surfaces.triangles[k]});
+  return shapes;
 }
 
 std::string history_name(std::size_t capsule) {

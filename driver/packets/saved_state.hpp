@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "driver/case/case.hpp"
+#include "driver/packets/membrane_shapes.hpp"
 #include "driver/packets/membrane_state.hpp"
 #include "driver/packets/packets.hpp"
 #include "exchange/packet.hpp"
 #include "fluid/fluid.hpp"
-#include "membrane/mesh.hpp"
 
 namespace tanktread::driver {
 
@@ -22,12 +22,17 @@ inline constexpr const char* fluid_state_file = "fluid.vti";
 inline constexpr const char* membrane_state_file = "membrane.vtu";
 inline constexpr const char* case_state_file = "echo.toml";
 
+/// Point data of the membranes in a state: the nodes of the stress-free shapes, and those at the start of the
+/// case, which a file lacks where they are the same.
+inline constexpr const char* reference_array = "reference_position";
+inline constexpr const char* start_array = "start_position";
+
 /// A state, read back.
 struct SavedState {
   std::filesystem::path folder;
   std::int64_t step = 0;
   std::optional<Case> the_case;  ///< that made it; none: an earlier version, which did not write it
-  std::vector<membrane::TriangleMesh> references;  ///< the stress-free mesh of each capsule
+  MembraneShapes shapes;         ///< that its membranes were made from
   NodeVectors positions, node_velocity, node_force;
   std::vector<MembraneState> membranes;
   fluid::State fluid;
@@ -41,6 +46,11 @@ std::optional<Case> read_state_case(const std::filesystem::path& folder);
 /// The state of a solver from its file (state_file). @param name of the file, for messages
 /// @throws exchange::FileError for a later schema version
 fluid::State state_of(exchange::GridPacket file, const std::string& name);
+
+/// The shapes that the membranes in a file of a state were made from. @param surfaces of the file
+/// @param name of the file, for messages @throws exchange::FileError if they are missing
+MembraneShapes shapes_of(const exchange::SurfacePacket& file, const Surfaces& surfaces,
+                         const std::string& name);
 
 /// The array of field data that holds the history of a capsule: history_0, history_1 ...
 std::string history_name(std::size_t capsule);

@@ -1,9 +1,12 @@
 #include "driver/plan/cost.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "driver/case/case_geometry.hpp"
 #include "driver/case/names.hpp"
 #include "driver/system/components.hpp"
+#include "driver/system/loads.hpp"
 #include "driver/units/schedule.hpp"
 #include "fluid/lattice_boltzmann.hpp"
 
@@ -14,6 +17,7 @@ constexpr double kept_checkpoints = 2;
 
 struct Sizes {
   double grid_nodes, fluid_file_nodes, membrane_nodes = 0, triangles = 0;
+  double own_stress_free_nodes = 0;  ///< of membranes that start elsewhere
 };
 
 double n_nodes(const std::array<int, 3>& box) {
@@ -26,9 +30,11 @@ Sizes sizes_of(const Case& the_case, const std::vector<membrane::TriangleMesh>& 
     sizes.fluid_file_nodes = 1;
     for (const auto& range : *the_case.output.fluid_box) sizes.fluid_file_nodes *= range[1] - range[0] + 1;
   }
-  for (const auto& mesh : meshes) {
-    sizes.membrane_nodes += static_cast<double>(mesh.points.cols());
-    sizes.triangles += static_cast<double>(mesh.triangles.cols());
+  for (std::size_t k = 0; k < meshes.size(); ++k) {
+    const auto n_nodes = static_cast<double>(meshes[k].points.cols());
+    sizes.membrane_nodes += n_nodes;
+    sizes.triangles += static_cast<double>(meshes[k].triangles.cols());
+    if (has_own_stress_free_shape(the_case.capsules[k])) sizes.own_stress_free_nodes += n_nodes;
   }
   return sizes;
 }
@@ -80,18 +86,22 @@ Cost predict_cost(const Case& the_case, const Parameters& parameters,
     return static_cast<double>(times_due(schedule_of(every, parameters), last_step));
   };
   constexpr double fluid_record = 7 * 8, node_record = (3 + 9) * 8, triangle_record = (22 + 3 + 1) * 8 + 1;
-  // A checkpoint has the membrane's record, reference positions, and of a triangle its normal and viscous
-  // history.
+  // A checkpoint has the membrane's record, reference positions and perhaps first ones, and of a triangle its
+  // normal and viscous history.
   constexpr double checkpoint_node = node_record + 3 * 8, checkpoint_triangle = triangle_record + (3 + 9) * 8;
-  constexpr double observables_row = 300, measures_row = 160, energy_row = 260;
+  constexpr double observables_row = 300, measures_row = 350, energy_row = 270;
 
+  // The forces of loads, on all nodes if on any.
+  const bool loaded = std::ranges::any_of(the_case.capsules, has_load);
+  const double load_record = loaded ? 3 * 8 : 0;
   // The marks in a fluid file; the viscosities in a state.
   const double contrast_record = has_contrast(the_case) ? 8 : 0;
   const double fluid_bytes = (fluid_record + contrast_record) * sizes.fluid_file_nodes;
-  const double membrane_bytes = node_record * sizes.membrane_nodes + triangle_record * sizes.triangles;
+  const double membrane_bytes =
+      (node_record + load_record) * sizes.membrane_nodes + triangle_record * sizes.triangles;
   const double lattice_bytes = (fluid::lattice_boltzmann_state_per_node + contrast_record) * sizes.grid_nodes;
-  const double checkpoint_bytes =
-      lattice_bytes + checkpoint_node * sizes.membrane_nodes + checkpoint_triangle * sizes.triangles;
+  const double checkpoint_bytes = lattice_bytes + (checkpoint_node + load_record) * sizes.membrane_nodes +
+                                  3 * 8 * sizes.own_stress_free_nodes + checkpoint_triangle * sizes.triangles;
   const double n_rows = times(the_case.output.observables_every),
                n_measures = times(the_case.output.measures_every),
                n_energy = times(the_case.output.energy_every),

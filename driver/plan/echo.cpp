@@ -151,14 +151,16 @@ void put_cost(EchoTable& table, const Cost& cost, bool with_program) {
 }  // namespace
 
 std::string echo(const Case& the_case, const Parameters& parameters, const Cost& cost,
-                 const std::vector<std::string>& warnings, const std::vector<double>& mean_edges) {
+                 const std::vector<std::string>& warnings, const std::vector<ShapeNumbers>& shapes,
+                 const LoadPatches& patches) {
   const Subject subject{the_case, parameters, si_scales(the_case, parameters)};
   EchoTable table(subject.si.has_value());
   table.title(the_case.title);
   put_flow(table, subject);
   put_override(table, subject);
   for (std::size_t k = 0; k < the_case.capsules.size(); ++k) {
-    put_capsule(table, subject, k, k < mean_edges.size() ? mean_edges[k] : 0.0);
+    put_capsule(table, subject, k, k < shapes.size() ? shapes[k] : ShapeNumbers());
+    put_load(table, subject, k, k < patches.size() ? patches[k] : std::nullopt);
   }
   put_run(table, subject);
   put_cost(table, cost, has_program(the_case));

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "driver/case/case_programs.hpp"
+#include "driver/plan/echo_energies.hpp"
+#include "driver/plan/echo_shape.hpp"
 #include "driver/units/laws.hpp"
 #include "driver/units/stability.hpp"
 
@@ -21,6 +23,7 @@ void put_moduli(EchoTable& table, const Subject& subject, const CapsuleParameter
   capillary("Ca by E_s", capsule.capillary_by_E_s, "mu_o g a/E_s; W = E_s/8 (...)");
   capillary("Ca by G_s", capsule.capillary_by_G_s, "mu_o g a/G_s");
   capillary("Ca by gamma", capsule.capillary_by_gamma, "mu_o g a/gamma");
+  capillary("Ca by kappa_b", capsule.capillary_by_kappa_b, "mu_o g a^3/kappa_b");
   modulus("E_s", capsule.skalak_modulus, "2 G_s");
   modulus("G_s", capsule.shear_modulus, "shear modulus at rest");
   modulus("K_s", capsule.area_modulus, "area modulus at rest, by the law");
@@ -92,21 +95,15 @@ void put_viscosity(EchoTable& table, const Subject& subject, const CapsuleParame
 
 }  // namespace
 
-void put_capsule(EchoTable& table, const Subject& subject, std::size_t number_of_it, double mean_edge) {
+void put_capsule(EchoTable& table, const Subject& subject, std::size_t number_of_it,
+                 const ShapeNumbers& shape) {
   const auto& the_capsule = subject.the_case.capsules[number_of_it];
   const auto& capsule = subject.parameters.capsules[number_of_it];
   const auto& at = the_capsule.position;
   table.section(fmt::format("capsule {}", number_of_it));
   table.row("radius a", number(capsule.radius), in_si(subject, capsule.radius, metre, "m"), "grid steps");
   table.row("position", fmt::format("{:.6g}, {:.6g}, {:.6g}", at[0], at[1], at[2]), "", "grid steps");
-  if (the_capsule.mesh.file.empty()) {
-    table.row("mesh", fmt::format("{}, level {}", the_capsule.mesh.shape, the_capsule.mesh.level), "",
-              fmt::format("{} triangles", 20 << (2 * the_capsule.mesh.level)));
-  } else {
-    table.row("mesh", std::filesystem::path(the_capsule.mesh.file).filename().string());
-  }
-  table.row("mean mesh edge", fmt::format("{:.4g}", mean_edge), in_si(subject, mean_edge, metre, "m"),
-            "grid steps; 0.5 to 2 is good", mean_edge > 0);
+  put_shape(table, subject, number_of_it, shape);
   const bool has_program = !the_capsule.membrane.command.empty();
   table.row("membrane program", short_text(the_capsule.membrane.command), "", "", has_program);
   table.row(has_program ? "moduli by elastic law" : "elastic law", the_capsule.membrane.elastic_law, "",
@@ -114,6 +111,7 @@ void put_capsule(EchoTable& table, const Subject& subject, std::size_t number_of
                 ? fmt::format("C = {:.6g}", the_capsule.membrane.area_ratio)
                 : "");
   put_moduli(table, subject, capsule);
+  put_energies(table, subject, number_of_it, shape.mean_edge);
   if (!has_program) put_viscosity(table, subject, capsule, the_capsule.membrane.viscous);
   const double ratio = capsule.viscosity_ratio, inner = ratio * subject.parameters.kinematic_viscosity;
   table.row("viscosity ratio lambda", number(ratio), "", "mu_i/mu_o");

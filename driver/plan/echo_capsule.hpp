@@ -5,10 +5,12 @@
 
 #include "driver/plan/echo_subject.hpp"
 #include "driver/plan/echo_table.hpp"
+#include "driver/plan/shape_numbers.hpp"
 
 namespace tanktread::driver {
 
-/// @param number_of_it its place in the case; mean_edge in grid steps, 0: not known, and left out
-void put_capsule(EchoTable& table, const Subject& subject, std::size_t number_of_it, double mean_edge);
+/// @param number_of_it its place in the case @param shape numbers that are 0 are not known, and left out
+void put_capsule(EchoTable& table, const Subject& subject, std::size_t number_of_it,
+                 const ShapeNumbers& shape);
 
 }  // namespace tanktread::driver

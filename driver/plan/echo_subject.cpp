@@ -35,6 +35,16 @@ double newton_second_per_metre(const SiScales& si) {
   return si.force_N * si.time_s / si.length_m;
 }
 
+double joule(const SiScales& si) {
+  return si.force_N * si.length_m;
+}
+double per_metre(const SiScales& si) {
+  return 1.0 / si.length_m;
+}
+double newton_per_square_metre(const SiScales& si) {
+  return si.force_N / (si.length_m * si.length_m);
+}
+
 std::string number(double value) {
   return fmt::format("{:.6g}", value);
 }

@@ -32,5 +32,8 @@ double newton(const SiScales& si);
 double newton_per_metre(const SiScales& si);
 double pascal_second(const SiScales& si);
 double newton_second_per_metre(const SiScales& si);
+double joule(const SiScales& si);
+double per_metre(const SiScales& si);
+double newton_per_square_metre(const SiScales& si);
 
 }  // namespace tanktread::driver

@@ -88,11 +88,10 @@ void measure_writing(const System& system, const Case& the_case, Probe& probe) {
 
 }  // namespace
 
-Probe try_case(const Case& the_case, const Parameters& parameters,
-               const std::vector<membrane::TriangleMesh>& meshes) {
+Probe try_case(const Case& the_case, const Parameters& parameters, const MembraneShapes& shapes) {
   Probe probe;
   try {
-    auto system = make_system(the_case, parameters, meshes);
+    auto system = make_system(the_case, parameters, shapes);
     probe.mlups = measure_speed(system, last_step_of(the_case, parameters));
     measure_writing(system, the_case, probe);
   } catch (const RunError& error) {

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "driver/case/case.hpp"
+#include "driver/packets/membrane_shapes.hpp"
 #include "driver/units/units.hpp"
-#include "membrane/mesh.hpp"
 
 namespace tanktread::driver {
 
@@ -19,7 +18,6 @@ struct Probe {
 
 /// Runs the first steps of a case, for a second or a tenth of the run, and writes a membrane file and a fluid
 /// file (at most 32 MB of it) to the system's directory for temporary files, from which they are removed.
-Probe try_case(const Case& the_case, const Parameters& parameters,
-               const std::vector<membrane::TriangleMesh>& meshes);
+Probe try_case(const Case& the_case, const Parameters& parameters, const MembraneShapes& shapes);
 
 }  // namespace tanktread::driver

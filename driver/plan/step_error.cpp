@@ -75,6 +75,7 @@ std::string not_measured(const Case& the_case, const Parameters& parameters) {
   if (the_case.coupler != CouplerCase()) return "[coupler]: measured was the default";
   const auto& capsule = parameters.capsules.front();
   if (capsule.viscous) return "membrane.viscous: measured were elastic membranes";
+  if (capsule.energy.any()) return "energies of the whole membrane (bending_modulus, ...): measured was none";
   if (capsule.shear_modulus == 0) return "membrane.elastic_law: measured were laws with a shear modulus";
   const auto numbers = step_numbers(the_case, parameters);
   const double radius = the_case.capsules.front().radius;

@@ -8,6 +8,7 @@
 #include "coupler/coupler.hpp"
 #include "driver/case/case_geometry.hpp"
 #include "driver/plan/warnings_si.hpp"
+#include "driver/units/energy_limits.hpp"
 #include "driver/units/laws.hpp"
 #include "driver/units/schedule.hpp"
 #include "driver/units/stability.hpp"
@@ -114,8 +115,10 @@ void warn_of_membrane(Lines& lines, std::size_t number, const Case& the_case,
 
 /// Beyond these a capsule either tears in nature, or keeps its shape and the flow has no part in it.
 void warn_of_capillary_number(Lines& lines, std::size_t number, const Case& the_case) {
-  constexpr double least = 1e-4, greatest = 10;
-  const double given = the_case.capsules[number].membrane.capillary_number;
+  const auto& membrane = the_case.capsules[number].membrane;
+  // A membrane that is soft in bending keeps its area and so its shape.
+  const double least = 1e-4, greatest = membrane.capillary_modulus == "kappa_b" ? 1e4 : 10;
+  const double given = membrane.capillary_number;
   if (given >= least && given <= greatest) return;
   lines.push_back(fmt::format(
       "capsule {}: Ca = {:.4g} is outside {:g} to {:g}: {}; check {}", number, given, least, greatest,
@@ -197,6 +200,33 @@ void warn_of_viscosity(Lines& lines, std::size_t number, const Case& the_case, c
   }
 }
 
+/// The forces of the energies are explicit too; and what rests or curves nothing has no effect.
+void warn_of_energies(Lines& lines, std::size_t number, const Case& the_case, const Parameters& p,
+                      const std::vector<double>& mean_edges) {
+  if (!the_case.capsules[number].membrane.command.empty()) return;
+  const double mean_edge = number < mean_edges.size() ? mean_edges[number] : 0;
+  for (const auto& limit : energy_limits(the_case, p, number, mean_edge)) {
+    if (limit.value <= limit.most) continue;
+    lines.push_back(
+        fmt::format("capsule {}: {} = {:.3g} is over {:.3g}, beyond which runs break down or may: divide "
+                    "{} or the speed of the flow by {:.3g}",
+                    number, limit.name, limit.value, limit.most,
+                    the_case.si ? "its modulus in [si]" : "membrane." + limit.key, limit.value / limit.most));
+  }
+  const auto& energy = p.capsules[number].energy;
+  const auto& given = the_case.capsules[number].membrane.energy;
+  const auto idle = [&](bool is_given, bool has_effect, const char* key, const char* of) {
+    if (is_given && !has_effect)
+      lines.push_back(fmt::format("capsule {}: {} has no effect without {}", number, key, of));
+  };
+  idle(given.spontaneous_curvature != 0, energy.bending_modulus > 0, "spontaneous_curvature",
+       "a bending modulus");
+  idle(given.reference_area != 1, energy.global_area_modulus > 0 || energy.local_area_modulus > 0,
+       "membrane.reference_area", "a global or a local area modulus");
+  idle(given.reference_volume != 1, energy.volume_modulus > 0, "membrane.reference_volume",
+       "a volume modulus");
+}
+
 /// Intervals become whole steps; a change of over 1 % will be seen in a plot.
 void warn_of_rounding(Lines& lines, const Case& the_case, const Parameters& p) {
   constexpr double noticeable = 0.01;
@@ -230,6 +260,7 @@ std::vector<std::string> warnings(const Case& the_case, const Parameters& parame
     warn_of_membrane(lines, k, the_case, mean_edges);
     warn_of_capillary_number(lines, k, the_case);
     warn_of_viscosity(lines, k, the_case, parameters);
+    warn_of_energies(lines, k, the_case, parameters, mean_edges);
     warn_of_contrast(lines, k, parameters);
     warn_of_walls(lines, k, the_case, placement);
     warn_of_images(lines, k, the_case, placement);

@@ -25,6 +25,10 @@ constexpr Usual usual[] = {
     {"si.interfacial_tension_N_per_m", 1e-9, 1e1},
     {"si.membrane_shear_viscosity_N_s_per_m", 1e-13, 1e0},
     {"si.membrane_dilatational_viscosity_N_s_per_m", 1e-13, 1e0},
+    {"si.bending_modulus_J", 1e-21, 1e-12},
+    {"si.global_area_modulus_N_per_m", 1e-9, 1e2},
+    {"si.local_area_modulus_N_per_m", 1e-9, 1e2},
+    {"si.volume_modulus_N_per_m2", 1e-3, 1e9},
 };
 
 void warn_of_values(std::vector<std::string>& lines, const Case& the_case) {

@@ -12,6 +12,7 @@
 #include "driver/system/inside_fluid.hpp"
 #include "driver/system/membrane_files.hpp"
 #include "driver/system/phases.hpp"
+#include "driver/units/laws.hpp"
 
 namespace tanktread::driver {
 namespace {
@@ -30,7 +31,12 @@ void add_membranes(const System& system, EnergyBudget& budget) {
     const auto& membrane = system.membranes[k];
     const auto viscous = membrane.viscous_power(velocity[k]);
     budget.elastic_energy += membrane.elastic_energy();
+    budget.load_power += power_of(membrane.load_at(system.step), velocity[k]);
     budget.elastic_power -= power_of(membrane.elastic_forces(), velocity[k]);
+    for (auto& term : budget.terms) {
+      term.energy += membrane.term_energy(term.name);
+      term.power -= power_of(membrane.term_forces(term.name), velocity[k]);
+    }
     budget.viscous_shear += viscous.shear;
     budget.viscous_dilatational += viscous.dilatational;
     budget.spring_power += viscous.spring;
@@ -107,29 +113,35 @@ EnergyBudget energy_budget(const System& system, const Case& the_case) {
   EnergyBudget budget;
   budget.step = system.step;
   budget.shear_time = system.shear_time();
+  for (const auto& name : term_names(system.membranes)) budget.terms.push_back({name});
   add_membranes(system, budget);
   add_dissipation(system, the_case, budget);
   add_flow(system, the_case, budget);
   budget.walls = system.fluid->wall_power();
   const double kinetic_rate = next_kinetic_energy(*system.fluid) - budget.kinetic_energy;
-  budget.remainder = budget.walls + budget.body_force - budget.elastic_power - budget.viscous_shear -
-                     budget.viscous_dilatational - budget.spring_power - known(budget.inner) - budget.outer -
-                     budget.correction - kinetic_rate;
+  budget.remainder = budget.walls + budget.body_force + budget.load_power - budget.elastic_power -
+                     budget.viscous_shear - budget.viscous_dilatational - budget.spring_power -
+                     known(budget.inner) - budget.outer - budget.correction - kinetic_rate;
+  for (const auto& term : budget.terms) budget.remainder -= term.power;
   return budget;
 }
 
-std::string energy_header() {
-  return "step,shear_time,elastic_energy,elastic_power,viscous_shear,viscous_dilatational,spring_power,inner,"
-         "outer,walls,body_force,correction,kinetic_energy,remainder\n";
+std::string energy_header(const std::vector<std::string>& terms) {
+  std::string header =
+      "step,shear_time,elastic_energy,elastic_power,viscous_shear,viscous_dilatational,spring_power,inner,"
+      "outer,walls,body_force,correction,kinetic_energy,remainder,load_power";
+  for (const auto& term : terms) header += fmt::format(",{0}_energy,{0}_power", name_in_files(term));
+  return header + "\n";
 }
 
 std::string energy_row(const EnergyBudget& b) {
   std::string row = fmt::format("{}", b.step);
   for (const double value : {b.shear_time, b.elastic_energy, b.elastic_power, b.viscous_shear,
                              b.viscous_dilatational, b.spring_power, b.inner, b.outer, b.walls, b.body_force,
-                             b.correction, b.kinetic_energy, b.remainder}) {
+                             b.correction, b.kinetic_energy, b.remainder, b.load_power}) {
     row += fmt::format(",{:.17g}", value);
   }
+  for (const auto& term : b.terms) row += fmt::format(",{:.17g},{:.17g}", term.energy, term.power);
   return row + "\n";
 }
 

@@ -3,10 +3,18 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "driver/system/system.hpp"
 
 namespace tanktread::driver {
+
+/// Of an energy of whole membranes beside their laws (docs/energy-terms.md), of all membranes.
+struct TermBudget {
+  std::string name;   ///< of the table of terms
+  double energy = 0;  ///< Membrane::term_energies
+  double power = 0;   ///< - sum F.u_m: what it stores
+};
 
 /// One row of energy.csv, of the whole system, lattice units (energy: density times grid step^5 per time
 /// step^2). x_m, F_m and u_m are place, force and velocity of the membrane nodes at the time of the row, u
@@ -14,7 +22,7 @@ namespace tanktread::driver {
 struct EnergyBudget {
   std::int64_t step = 0;
   double shear_time = 0;
-  double elastic_energy = 0;        ///< of all membranes (Membrane::elastic_energy)
+  double elastic_energy = 0;        ///< of the laws of all membranes (Membrane::elastic_energy)
   double elastic_power = 0;         ///< - sum F_elastic.u_m: what the elastic stress stores
   double viscous_shear = 0;         ///< dissipated in the membranes (ViscousPower)
   double viscous_dilatational = 0;  ///< likewise
@@ -27,9 +35,12 @@ struct EnergyBudget {
   double body_force = 0;      ///< sum F_b.u
   double correction = 0;      ///< sum F_m.(what was added to the interpolated velocity, for u_m)
   double kinetic_energy = 0;  ///< sum rho u^2/2; without inertia rho = 1
-  /// walls + body_force - elastic_power - viscous_shear - viscous_dilatational - spring_power - inner - outer
-  /// - correction - the rate of kinetic_energy over the step to come, under the present force.
+  /// walls + body_force + load_power - elastic_power - viscous_shear - viscous_dilatational - spring_power -
+  /// inner - outer - correction - the powers of the terms - the rate of kinetic_energy over the step to come,
+  /// under the present force.
   double remainder = 0;
+  double load_power = 0;          ///< sum F_load.u_m: what the loads put in
+  std::vector<TermBudget> terms;  ///< those of the case, in the order of their table
 };
 
 /// The system stands at a time t between two steps. inner and outer are of the populations that come in at
@@ -37,8 +48,8 @@ struct EnergyBudget {
 /// @throws std::logic_error of a fluid that cannot tell
 EnergyBudget energy_budget(const System& system, const Case& the_case);
 
-/// First line of energy.csv.
-std::string energy_header();
+/// First line of energy.csv. @param terms of the case (term_names()): two columns more for each
+std::string energy_header(const std::vector<std::string>& terms);
 /// A row, 17 significant digits.
 std::string energy_row(const EnergyBudget& budget);
 

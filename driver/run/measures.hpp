@@ -1,5 +1,5 @@
-// What Chapter 4 of the thesis measures of each capsule beside its D: contour, speed along it, extent,
-// marker.
+// What is measured of each capsule beside its D: contour, speed along it, extents, marker, and which way it
+// points.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,9 +24,20 @@ struct Measures {
   /// g a. The velocity of the nodes is that which moved them to where they are, as in the membrane files.
   double membrane_speed = 0;
   double vorticity_extent = 0;  ///< greatest less least position of a node along the vorticity, over 2 a
-  /// From the centroid to the marker, over a: the node that in the reference mesh is nearest to its centroid
+  /// From the centroid to the marker, over a: the node that in the mesh at the start is nearest to its
+  /// centroid
   /// + a along the flow axis (of several the one of the lowest number).
   Eigen::Vector3d marker = Eigen::Vector3d::Zero();
+  /// Extent along load.direction (x unless the case says otherwise), over 2 a (extent_along).
+  double axial_diameter = 0;
+  double transverse_diameter = 0;  ///< largest extent across it, over 2 a (largest_extent_across)
+  /// The axis of the starting mesh (mesh_axis), carried by the nodes (carried_direction), of length 1.
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+  double axis_inclination_deg = 0;  ///< of it in the shear plane to the flow axis, in (-180, 180]
+  /// The shortest axis of the ellipsoid of equal moments (shortest_axis), of length 1; of its two senses the
+  /// one towards the upper wall. Zero where two are equally short, as of a sphere.
+  Eigen::Vector3d short_axis = Eigen::Vector3d::Zero();
+  double short_inclination_deg = 0;  ///< of it in the shear plane to the flow axis, in (-90, 90]
 };
 
 /// Measures all capsules.

@@ -12,9 +12,9 @@ std::vector<Observation> observe(const System& system, const Case& the_case) {
   const bool has_iterations = any_implicit(system.membranes);
   for (std::size_t k = 0; k < system.membranes.size(); ++k) {
     const auto& membrane = system.membranes[k];
-    const auto& reference = membrane.reference();
+    const auto& triangles = membrane.reference().triangles;
     const double radius = the_case.capsules[k].radius;
-    const auto moments = membrane::volume_moments(membrane.positions(), reference.triangles);
+    const auto moments = membrane::volume_moments(membrane.positions(), triangles);
     const auto shape = membrane::deformation(moments, the_case.flow.flow_axis, the_case.flow.wall_axis);
     Observation row;
     row.step = system.step;
@@ -24,10 +24,9 @@ std::vector<Observation> observe(const System& system, const Case& the_case) {
     row.length = shape.length / radius;
     row.width = shape.width / radius;
     row.breadth = shape.breadth / radius;
-    row.volume_ratio =
-        moments.volume / membrane::volume_moments(reference.points, reference.triangles).volume;
-    row.area_ratio = membrane::surface_area(membrane.positions(), reference.triangles) /
-                     membrane::surface_area(reference.points, reference.triangles);
+    row.volume_ratio = moments.volume / membrane::volume_moments(membrane.start(), triangles).volume;
+    row.area_ratio = membrane::surface_area(membrane.positions(), triangles) /
+                     membrane::surface_area(membrane.start(), triangles);
     row.elastic_energy = membrane.elastic_energy();
     row.max_speed = system.highest_speed;
     row.capsule = static_cast<int>(k);

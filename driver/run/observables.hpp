@@ -17,7 +17,7 @@ struct Observation {
   double deformation = 0;      ///< D = (L - W)/(L + W) of the equivalent ellipsoid in the shear plane
   double inclination_deg = 0;  ///< of its long axis to the flow axis
   double length = 0, width = 0, breadth = 0;  ///< its semi-axes, in undeformed radii
-  double volume_ratio = 0, area_ratio = 0;    ///< to the reference mesh
+  double volume_ratio = 0, area_ratio = 0;    ///< to the mesh at the start
   double elastic_energy = 0;                  ///< lattice units
   double max_speed = 0;                       ///< of the fluid, grid steps a step
   int capsule = 0;

@@ -68,7 +68,8 @@ Output::Output(const Case& the_case, const Parameters& parameters, std::filesyst
                    schedules.observables, OutputTable::Never::header_alone),
       measures_(directory / "measures.csv", measures_header(), schedules.measures,
                 OutputTable::Never::no_file),
-      energy_(directory / "energy.csv", energy_header(), schedules.energy, OutputTable::Never::no_file),
+      energy_(directory / "energy.csv", energy_header(term_names(parameters)), schedules.energy,
+              OutputTable::Never::no_file),
       membrane_(directory, "membrane", "vtu", schedules.membrane),
       fluid_(directory, "fluid", "vti", schedules.fluid) {}
 

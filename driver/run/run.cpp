@@ -61,16 +61,20 @@ void check_packets(const PacketOptions& packets, const std::filesystem::path& ou
                   packets.record.string(), output.string()));
 }
 
+void check_stays(const std::string& file, const std::string& key, const std::filesystem::path& output) {
+  if (file.empty() || !is_place_of_run(output, file)) return;
+  throw InputError(
+      fmt::format("--output {}: --force would remove {}, {}, with the earlier run; copy it to another "
+                  "place and name that, or choose another directory",
+                  output.string(), key, file));
+}
+
 /// What the run is going to read must not go with the earlier run. @throws InputError
 void check_meshes_stay(const Case& the_case, const std::filesystem::path& output) {
   for (std::size_t k = 0; k < the_case.capsules.size(); ++k) {
-    const auto& file = the_case.capsules[k].mesh.file;
-    if (file.empty() || !is_place_of_run(output, file)) continue;
-    throw InputError(
-        fmt::format("--output {}: --force would remove capsule.{}.mesh.file, {}, with the earlier run; copy "
-                    "it to another "
-                    "place and name that, or choose another directory",
-                    output.string(), k, file));
+    const auto& capsule = the_case.capsules[k];
+    check_stays(capsule.mesh.file, fmt::format("capsule.{}.mesh.file", k), output);
+    check_stays(capsule.stress_free.file, fmt::format("capsule.{}.stress_free.file", k), output);
   }
 }
 
@@ -210,7 +214,7 @@ int run_new(const Plan& plan, const RunOptions& options) {
   check_packets(options.packets, options.output, 0, last_step_of(plan.the_case, plan.parameters));
   if (options.force) check_meshes_stay(plan.the_case, options.output);
   // Before anything is written: a program may not start, a mesh may not fit.
-  auto system = make_system(plan.the_case, plan.parameters, plan.meshes);
+  auto system = make_system(plan.the_case, plan.parameters, plan.shapes);
   const DirectoryLock lock(options.output);
   check_output_directory(options.output, options.force);  // another process may have been faster
   make_record_directory(options.packets);
@@ -245,14 +249,14 @@ int run_resumed(const ResumeOptions& options) {
     return 0;
   }
   check_packets(options.packets, directory, start.point.step, last_step);
-  const auto plan = make_plan(the_case, start.state.references, bytes_of(start.state.fluid));
+  const auto plan = make_plan(the_case, start.state.shapes, bytes_of(start.state.fluid));
   fmt::print("{}resuming from {}\n", plan.echo, start.folder.string());
   if (!start.state.the_case) {
     fmt::print(
         "note: the checkpoint is of an earlier version and does not hold its case: echo.toml is taken as "
         "it is, compared with nothing\n");
   }
-  auto system = make_system(the_case, plan.parameters, start.state.references);
+  auto system = make_system(the_case, plan.parameters, start.state.shapes);
   restore(system, start.state);
   start.state.fluid = {};  // as large as the lattice itself
   begin_again(options, plan, start, output);

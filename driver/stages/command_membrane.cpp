@@ -5,6 +5,7 @@
 #include "driver/program/number_option.hpp"
 #include "driver/program/signals.hpp"
 #include "driver/stages/case_options.hpp"
+#include "driver/stages/command_drag.hpp"
 #include "driver/stages/stages.hpp"
 
 namespace tanktread::driver {
@@ -70,7 +71,14 @@ void add_membrane_command(CLI::App& app, int& exit_code) {
       ->required();
   add_motion_options(*command, *arguments);
   command->get_option("--motion")->excludes(in)->excludes(move)->excludes(state);
+  // The subcommand has a case and an output of its own, so these are asked for without it only.
+  const auto* drag = add_drag_command(*command, exit_code);
+  const std::vector<CLI::Option*> required = {command->get_option("--case"), command->get_option("--out")};
+  for (auto* option : required) option->required(false);
   command->callback([=, &exit_code] {
+    if (drag->parsed()) return;
+    for (const auto* option : required)
+      if (option->count() == 0) throw CLI::RequiredError(option->get_name());
     // So that a program in the membrane's place, and its packets, end with the stage.
     const SignalGuard guard;
     if (!arguments->motion_name.empty()) {

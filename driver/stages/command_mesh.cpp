@@ -11,6 +11,7 @@
 #include "driver/program/number_option.hpp"
 #include "driver/program/output_file.hpp"
 #include "exchange/vtk_files.hpp"
+#include "membrane/revolved_mesh.hpp"
 
 namespace tanktread::driver {
 namespace {
@@ -44,36 +45,89 @@ std::string report_text(const membrane::MeshReport& report, const std::string& h
   return text;
 }
 
-void add_sphere_command(CLI::App& mesh, int& exit_code) {
-  struct Arguments {
-    int level = 3;
-    double radius = 1;
-    std::array<double, 3> centre = {0, 0, 0};
-    std::string file;
-  };
-  auto* command = mesh.add_subcommand("sphere", "Write a sphere of 20 * 4^level triangles");
-  auto arguments = std::make_shared<Arguments>();
+/// What the commands that write a shape have in common.
+struct ShapeArguments {
+  int level = 3;
+  double radius = 1;
+  std::array<double, 3> centre = {0, 0, 0};
+  double aspect_ratio = 0, reduced_volume = 0;  ///< of a spheroid; 0: not given
+  std::string file;
+};
+
+void write_shape(const ShapeArguments& arguments, const membrane::TriangleMesh& shape) {
+  try {
+    exchange::write_surface(arguments.file, surface_packet(shape));
+  } catch (const exchange::FileError& error) {
+    throw InputError(error.what());
+  }
+  fmt::print("{}: {} nodes, {} triangles\n", arguments.file, shape.points.cols(), shape.triangles.cols());
+}
+
+/// A subcommand `mesh NAME` that writes the shape that `make` makes of the arguments.
+template <class Make>
+CLI::App& add_shape_command(CLI::App& mesh, int& exit_code, const std::string& name,
+                            const std::string& description, const std::string& meaning_of_radius,
+                            const std::shared_ptr<ShapeArguments>& arguments, Make make) {
+  auto* command = mesh.add_subcommand(name, description);
   add_number(*command, "--level", arguments->level, "Subdivisions of the icosahedron",
              find_key("capsule.N.mesh.level")->range)
       ->capture_default_str();
-  add_number(*command, "--radius", arguments->radius, "Radius, grid steps", positive())
-      ->capture_default_str();
+  add_number(*command, "--radius", arguments->radius, meaning_of_radius, positive())->capture_default_str();
   add_number(*command, "--centre", arguments->centre, "Centre x y z, grid steps", {})->capture_default_str();
   command->add_option("file", arguments->file, "File to write (.vtu)")->required();
   command->callback([=, &exit_code] {
-    check_output({"mesh sphere", arguments->file}, surface_output());
-    const auto& centre = arguments->centre;
-    const auto sphere =
-        membrane::icosphere(arguments->level, arguments->radius, {centre[0], centre[1], centre[2]});
-    try {
-      exchange::write_surface(arguments->file, surface_packet(sphere));
-    } catch (const exchange::FileError& error) {
-      throw InputError(error.what());
-    }
-    fmt::print("{}: {} nodes, {} triangles\n", arguments->file, sphere.points.cols(),
-               sphere.triangles.cols());
+    check_output({"mesh " + name, arguments->file}, surface_output());
+    write_shape(*arguments, make(*arguments));
     exit_code = 0;
   });
+  return *command;
+}
+
+constexpr const char* radius_of_equal_volume = "Radius of the sphere of equal volume, grid steps";
+
+membrane::TriangleMesh revolved(const membrane::Meridian& meridian, const ShapeArguments& arguments) {
+  auto mesh = membrane::revolved_mesh(meridian, arguments.level);
+  mesh.points.colwise() += Eigen::Map<const Eigen::Vector3d>(arguments.centre.data());
+  return mesh;
+}
+
+void add_sphere_command(CLI::App& mesh, int& exit_code) {
+  add_shape_command(
+      mesh, exit_code, "sphere", "Write a sphere of 20 * 4^level triangles", "Radius, grid steps",
+      std::make_shared<ShapeArguments>(), [](const ShapeArguments& arguments) {
+        const auto& centre = arguments.centre;
+        return membrane::icosphere(arguments.level, arguments.radius, {centre[0], centre[1], centre[2]});
+      });
+}
+
+void add_biconcave_command(CLI::App& mesh, int& exit_code) {
+  add_shape_command(mesh, exit_code, "biconcave",
+                    "Write the red cell at rest, its axis along z, of the triangles of a sphere",
+                    radius_of_equal_volume, std::make_shared<ShapeArguments>(),
+                    [](const ShapeArguments& arguments) {
+                      return revolved(membrane::biconcave_meridian(arguments.radius), arguments);
+                    });
+}
+
+void add_spheroid_command(CLI::App& mesh, int& exit_code) {
+  const auto arguments = std::make_shared<ShapeArguments>();
+  auto& command = add_shape_command(
+      mesh, exit_code, "spheroid", "Write a spheroid, its axis along z, of the triangles of a sphere",
+      radius_of_equal_volume, arguments, [](const ShapeArguments& given) {
+        if (given.aspect_ratio == 0 && given.reduced_volume == 0)
+          throw InputError("mesh spheroid: give --aspect-ratio or --reduced-volume");
+        const double aspect_ratio =
+            given.aspect_ratio > 0
+                ? given.aspect_ratio
+                : membrane::spheroid_aspect_ratio(given.reduced_volume, membrane::Spheroid::oblate);
+        return revolved(membrane::spheroid_meridian(given.radius, aspect_ratio), given);
+      });
+  auto* ratio = add_number(command, "--aspect-ratio", arguments->aspect_ratio, "Its axis over its diameter",
+                           find_key("capsule.N.mesh.aspect_ratio")->range);
+  add_number(command, "--reduced-volume", arguments->reduced_volume,
+             "Of an oblate one, its volume over that of the sphere of its area",
+             find_key("capsule.N.mesh.reduced_volume")->range)
+      ->excludes(ratio);
 }
 
 void add_info_command(CLI::App& mesh, int& exit_code) {
@@ -100,6 +154,8 @@ void add_mesh_command(CLI::App& app, int& exit_code) {
   auto* mesh = app.add_subcommand("mesh", "Make and inspect membrane meshes");
   mesh->require_subcommand(1);
   add_sphere_command(*mesh, exit_code);
+  add_biconcave_command(*mesh, exit_code);
+  add_spheroid_command(*mesh, exit_code);
   add_info_command(*mesh, exit_code);
 }
 

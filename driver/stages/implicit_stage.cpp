@@ -10,6 +10,7 @@
 #include "driver/stages/mesh_inputs.hpp"
 #include "driver/stages/stage_errors.hpp"
 #include "driver/stages/stages.hpp"
+#include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "driver/system/implicit_forces.hpp"
 #include "driver/system/membrane_files.hpp"
@@ -23,7 +24,7 @@ namespace {
 std::vector<CapsuleMembrane> membranes_of(const ImplicitStage& stage, const Parameters& numbers,
                                           const exchange::SurfacePacket& file, const Surfaces& surfaces) {
   const auto name = stage.in.string();
-  auto membranes = make_membranes(stage.the_case, numbers, reference_meshes(stage.the_case));
+  auto membranes = make_membranes(stage.the_case, numbers, membrane_shapes(stage.the_case));
   check_surfaces(surfaces, membranes, name);
   check_references(file, membranes, name);
   for (std::size_t k = 0; k < membranes.size(); ++k) membranes[k].set_positions(surfaces.positions[k]);

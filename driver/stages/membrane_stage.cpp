@@ -4,6 +4,7 @@
 #include "driver/stages/stage_errors.hpp"
 #include "driver/stages/stages.hpp"
 #include "driver/stages/state_case.hpp"
+#include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "driver/system/membrane_files.hpp"
 #include "driver/system/phases.hpp"
@@ -67,7 +68,7 @@ std::vector<NamedFile> inputs_of(const MembraneStage& stage) {
 void run(const MembraneStage& stage) {
   check_output({"--out", stage.out}, surface_output(), inputs_of(stage));
   const auto numbers = parameters(stage.the_case);
-  auto membranes = make_membranes(stage.the_case, numbers, reference_meshes(stage.the_case));
+  auto membranes = make_membranes(stage.the_case, numbers, membrane_shapes(stage.the_case));
   if (!stage.state.empty()) {
     note_other_case(stage.state, stage.the_case, "");
     restore(membranes, stage.state);

@@ -11,6 +11,7 @@
 #include "driver/stages/stage_errors.hpp"
 #include "driver/stages/stages.hpp"
 #include "driver/study/twisting_sphere.hpp"
+#include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "driver/system/membrane_files.hpp"
 #include "driver/system/phases.hpp"
@@ -121,11 +122,14 @@ Motion series(const MotionStage& stage, const Parameters& numbers,
 void follow(const Motion& motion, std::vector<CapsuleMembrane>& membranes, const Parameters& numbers,
             const std::filesystem::path& out) {
   auto positions = motion.positions(0);
-  auto velocity = zero_like(positions);  // of the first file: none is known, and the forces are elastic
+  auto velocity =
+      zero_like(positions);  // of the first file: none is known, and the forces are without viscous ones
   NodeVectors force;
   for (std::size_t k = 0; k < membranes.size(); ++k) {
     membranes[k].set_positions(positions[k]);
     force.push_back(membranes[k].elastic_forces());
+    for (const auto& term : membranes[k].term_names()) force[k] += membranes[k].term_forces(term);
+    membranes[k].add_load(0, force[k]);
   }
   std::filesystem::create_directories(out / "membrane");
   exchange::write_series(out / "membrane.pvd", {});
@@ -147,29 +151,32 @@ void follow(const Motion& motion, std::vector<CapsuleMembrane>& membranes, const
   }
 }
 
-/// A Maxwell element has no history but that of the stress-free shape: from elsewhere the first step would be
-/// a jump.
+/// A Maxwell element has no history but that of the shape which the case starts with: from elsewhere the
+/// first step would be a jump.
 void require_rest(const MotionStage& stage, const Parameters& numbers,
-                  std::vector<CapsuleMembrane>& membranes, const NodeVectors& start) {
+                  const std::vector<CapsuleMembrane>& membranes, const NodeVectors& start) {
   constexpr double rounding = 1e-6;
   for (std::size_t k = 0; k < membranes.size(); ++k) {
-    membranes[k].set_positions(start[k]);
-    const auto stretches = membranes[k].element_fields().principal_stretches;
     const auto& viscous = numbers.capsules[k].viscous;
-    if (!viscous || is_implicit(*viscous) || (stretches.array() - 1).abs().maxCoeff() < rounding) continue;
+    if (!viscous || is_implicit(*viscous)) continue;
+    membrane::Membrane from_start({membranes[k].start(), membranes[k].reference().triangles},
+                                  elastic_law(stage.the_case.capsules[k].membrane, numbers.capsules[k]));
+    from_start.set_positions(start[k]);
+    const auto stretches = from_start.element_fields().principal_stretches;
+    if ((stretches.array() - 1).abs().maxCoeff() < rounding) continue;
     throw InputError(fmt::format(
         "{}: capsule {} is deformed at the beginning; with a membrane viscosity a motion must begin "
-        "with the stress-free shape",
+        "with the shape that the case starts with",
         stage.series.string(), k));
   }
 }
 
 void run(const MotionStage& stage) {
   const auto numbers = parameters(stage.the_case);
-  const auto meshes = reference_meshes(stage.the_case);
-  auto membranes = make_membranes(stage.the_case, numbers, meshes);
+  const auto shapes = membrane_shapes(stage.the_case);
+  auto membranes = make_membranes(stage.the_case, numbers, shapes);
   const auto motion =
-      stage.series.empty() ? twist(stage, numbers, meshes) : series(stage, numbers, membranes);
+      stage.series.empty() ? twist(stage, numbers, shapes.meshes) : series(stage, numbers, membranes);
   require_new_directory("--out", stage.out);
   require_rest(stage, numbers, membranes, motion.positions(0));
   follow(motion, membranes, numbers, stage.out);

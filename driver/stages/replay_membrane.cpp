@@ -8,7 +8,7 @@ namespace tanktread::driver {
 
 std::vector<CapsuleMembrane> membranes_at_begin(const ReplayRecord& record, const Case& the_case) {
   const auto& begin = record.begin();
-  auto membranes = make_membranes(the_case, parameters(the_case), begin.references);
+  auto membranes = make_membranes(the_case, parameters(the_case), begin.shapes);
   for (std::size_t k = 0; k < membranes.size(); ++k) {
     membranes[k].set_positions(begin.positions[k]);
     membranes[k].restore(begin.membranes[k]);

@@ -99,7 +99,7 @@ NodeVectors ReplayRecord::positions_before(std::int64_t step) const {
 
 Surfaces ReplayRecord::surfaces_before(std::int64_t step) const {
   Surfaces surfaces{positions_before(step), {}};
-  for (const auto& reference : begin_.references) surfaces.triangles.push_back(reference.triangles);
+  for (const auto& mesh : begin_.shapes.meshes) surfaces.triangles.push_back(mesh.triangles);
   return surfaces;
 }
 

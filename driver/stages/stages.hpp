@@ -38,6 +38,21 @@ struct MotionStage {
 /// @throws as above
 void run_stage(const MotionStage& stage);
 
+/// `tanktread membrane drag`: the membranes under their own forces and loads, against a drag in place of a
+/// fluid (docs/loads.md).
+struct DragStage {
+  Case the_case;
+  std::filesystem::path in;  ///< a surface file to start from; "": the start of the case
+  double drag = 1;           ///< zeta a/mu_o, zeta force times time per length^3
+  double step = 0;           ///< shear times; 0: chosen by the highest rate of the membrane
+  double shear_time = 0;     ///< the end; 0: run.shear_time
+  /// Stops where no node is faster, in radii per shear time, and no load is yet to be switched off; 0: never.
+  double still = 0;
+  std::filesystem::path out;  ///< a directory: drag.csv, membrane.pvd and membrane/membrane_STEP.vtu
+};
+/// @throws as above
+void run_stage(const DragStage& stage);
+
 /// `tanktread implicit`: the implicit viscous forces, which membrane, coupler and fluid find together.
 struct ImplicitStage {
   Case the_case;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <stdexcept>
 
 namespace tanktread::driver {
 namespace {
@@ -25,7 +26,10 @@ Eigen::Matrix<double, rows, Eigen::Dynamic> said(const std::vector<exchange::Arr
 
 CapsuleMembrane::CapsuleMembrane(membrane::Membrane membrane, std::unique_ptr<OutsideMembrane> program,
                                  std::unique_ptr<membrane::ImplicitViscosity> implicit)
-    : membrane_(std::move(membrane)), program_(std::move(program)), implicit_(std::move(implicit)) {
+    : membrane_(std::move(membrane)),
+      start_(membrane_.positions()),
+      program_(std::move(program)),
+      implicit_(std::move(implicit)) {
   if (implicit_) implicit_->set_positions(membrane_.positions());
 }
 
@@ -43,10 +47,41 @@ Eigen::Matrix3Xd CapsuleMembrane::program_forces(const Eigen::Matrix3Xd& velocit
   return program_->forces(membrane_, velocity, step);
 }
 
+void CapsuleMembrane::set_load(NodalLoad load) {
+  if (load.force.cols() != n_nodes())
+    throw std::invalid_argument("a load must have a force for each node of its membrane");
+  load_ = std::move(load);
+}
+
+Eigen::Matrix3Xd CapsuleMembrane::load_at(std::int64_t step) const {
+  if (!load_ || step >= load_->end) return Eigen::Matrix3Xd::Zero(3, n_nodes());
+  return load_->force;
+}
+
+void CapsuleMembrane::add_load(std::int64_t step, Eigen::Matrix3Xd& force) const {
+  if (load_ && step < load_->end) force += load_->force;
+}
+
 Eigen::Matrix3Xd CapsuleMembrane::elastic_forces() const {
   if (program_) return said<3>(program_->state().point_data, "elastic_force", n_nodes());
   Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, n_nodes());
   membrane_.add_elastic_forces(forces);
+  return forces;
+}
+
+std::vector<std::string> CapsuleMembrane::term_names() const {
+  std::vector<std::string> names;
+  const auto* terms = membrane_.energy_terms();
+  for (std::size_t k = 0; terms != nullptr && k < terms->size(); ++k) names.push_back(terms->name(k));
+  return names;
+}
+
+Eigen::Matrix3Xd CapsuleMembrane::term_forces(const std::string& term) const {
+  Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, n_nodes());
+  const auto names = term_names();
+  const auto found = std::ranges::find(names, term);
+  if (found != names.end())
+    membrane_.add_term_forces(static_cast<std::size_t>(found - names.begin()), forces);
   return forces;
 }
 
@@ -65,6 +100,13 @@ membrane::ElementFields CapsuleMembrane::element_fields() const {
 
 double CapsuleMembrane::elastic_energy() const {
   return program_ ? unknown : membrane_.elastic_energy();
+}
+
+double CapsuleMembrane::term_energy(const std::string& term) const {
+  const auto names = term_names();
+  const auto found = std::ranges::find(names, term);
+  return found == names.end() ? 0
+                              : membrane_.term_energies()[static_cast<std::size_t>(found - names.begin())];
 }
 
 membrane::ViscousPower CapsuleMembrane::viscous_power(const Eigen::Matrix3Xd& velocity) const {
@@ -89,6 +131,18 @@ void CapsuleMembrane::restore(const MembraneState& state) {
     membrane_.restore_history(state.history);
   }
   if (program_) program_->restore(state.program, membrane_);
+}
+
+std::vector<std::string> term_names(const std::vector<CapsuleMembrane>& membranes) {
+  std::vector<std::string> names;
+  for (const auto& entry : membrane::energy_term_table()) {
+    const auto has = [&](const CapsuleMembrane& membrane) {
+      const auto own = membrane.term_names();
+      return std::ranges::find(own, entry.name) != own.end();
+    };
+    if (std::ranges::any_of(membranes, has)) names.push_back(entry.name);
+  }
+  return names;
 }
 
 }  // namespace tanktread::driver

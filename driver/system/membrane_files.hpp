@@ -13,7 +13,9 @@ namespace tanktread::driver {
 /// Positions and triangles of all membranes.
 Surfaces surfaces_of(const std::vector<CapsuleMembrane>& membranes);
 
-/// All membranes as one surface. Point data velocity, elastic_force, total_force; cell data
+/// All membranes as one surface. Point data velocity, elastic_force (of the law), of the energies beside it
+/// that any membrane has bending_force, global_area_force, local_area_force, volume_force, total_force, and
+/// where a capsule has a load load_force; cell data
 /// principal_stretches, stress, viscous_stress, area_ratio, capsule; field data step, shear_time,
 /// schema_version.
 /// @param velocity that moved the nodes to their positions
@@ -22,7 +24,8 @@ exchange::SurfacePacket membrane_file(const std::vector<CapsuleMembrane>& membra
                                       const NodeVectors& velocity, const NodeVectors& force,
                                       std::int64_t step, double shear_time);
 
-/// Adds what the membranes need to go on: point data reference_position, field data history_0, history_1 ...
+/// Adds what the membranes need to go on: point data reference_position,
+/// where that is not where they started start_position, field data history_0, history_1 ...
 /// (Membrane::history()), and of programs program_0_point_NAME, program_0_cell_NAME
 /// (OutsideMembrane::state()).
 void add_state(exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>& membranes);
@@ -32,8 +35,8 @@ void add_state(exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>
 void restore_membranes(std::vector<CapsuleMembrane>& membranes, const exchange::SurfacePacket& file,
                        const std::string& name);
 
-/// A state goes on from its own stress-free shape only. A file without `reference_position` passes.
-/// @throws exchange::FileError if that is not the membranes' reference mesh, but for rounding
+/// A state goes on from its own shapes only. A file without `reference_position` passes.
+/// @throws exchange::FileError if they are not those of the membranes, but for rounding
 void check_references(const exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>& membranes,
                       const std::string& name);
 

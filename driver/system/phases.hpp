@@ -61,9 +61,9 @@ void correct_velocity(const coupler::Coupler& coupler, const NodeCorrections& co
 NodeVectors move_nodes(const NodeVectors& positions, const NodeVectors& velocity, int threads = 1,
                        NodeVectors memory = {});
 
-/// 4. membrane: takes the positions x(t+1); strain, stress with its history, total nodal forces F_m(t+1), but
-/// for implicit viscous forces. Implicit viscosities stand at x(t+1) then, their stresses are still those of
-/// t.
+/// 4. membrane: takes the positions x(t+1); strain, stress with its history, total nodal forces F_m(t+1),
+/// those of a load included, but for implicit viscous forces. Implicit viscosities stand at x(t+1) then,
+/// their stresses are still those of t.
 /// @param velocity u_m(t), which moved the nodes there
 /// @param step of the positions, t+1
 /// @throws membrane::InvertedElement; RunError if a program in the place of a membrane gives no forces

@@ -68,6 +68,7 @@ NodeVectors nodal_forces(std::vector<CapsuleMembrane>& membranes, const NodeVect
   for (std::size_t k = 0; k < membranes.size(); ++k) move_implicit(membranes[k], k);
   for (std::size_t k = 0; k < membranes.size(); ++k)
     if (membranes[k].has_program()) forces[k] = membranes[k].program_forces(velocity[k], step);
+  for (std::size_t k = 0; k < membranes.size(); ++k) membranes[k].add_load(step, forces[k]);
   return forces;
 }
 

@@ -50,8 +50,8 @@ class Placement {
   std::vector<membrane::PlacedSurface> surfaces_;
 };
 
-/// Refuses membranes without room: those of files by their meshes, in the words for spheres, which the case
-/// holds against each other already (case_geometry.hpp).
+/// Refuses membranes without room: those that are no spheres by their meshes, in the words for spheres, which
+/// the case holds against each other already (case_geometry.hpp).
 /// @throws InputError for a membrane nearer to a wall than the kernel reaches, as long as the way to its own
 /// periodic image, or one that cuts through another, touches it or lies inside it; all problems together
 void check_placement(const Case& the_case, const std::vector<membrane::TriangleMesh>& meshes);

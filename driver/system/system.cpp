@@ -23,8 +23,7 @@ void mark_start(System& system) {
 
 }  // namespace
 
-System make_system(const Case& the_case, const Parameters& parameters,
-                   const std::vector<membrane::TriangleMesh>& meshes) {
+System make_system(const Case& the_case, const Parameters& parameters, const MembraneShapes& shapes) {
   System system;
   system.shear_rate = parameters.shear_rate;
   system.threads = the_case.run.threads > 0 ? the_case.run.threads : omp_get_max_threads();
@@ -32,7 +31,7 @@ System make_system(const Case& the_case, const Parameters& parameters,
   system.coupler = make_coupler(the_case);
   system.corrections = make_node_corrections(the_case, *system.coupler);
   system.implicit = implicit_settings(the_case);
-  system.membranes = make_membranes(the_case, parameters, meshes);
+  system.membranes = make_membranes(the_case, parameters, shapes);
   system.node_velocity = system.node_force = zero_like(positions_of(system.membranes));
   try {
     const auto surfaces = surfaces_of(system.membranes);

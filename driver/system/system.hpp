@@ -7,6 +7,7 @@
 
 #include "coupler/coupler.hpp"
 #include "driver/case/case.hpp"
+#include "driver/packets/membrane_shapes.hpp"
 #include "driver/packets/packets.hpp"
 #include "driver/system/capsule_membrane.hpp"
 #include "driver/system/implicit_forces.hpp"
@@ -62,9 +63,8 @@ struct System {
   double shear_time() const { return static_cast<double>(step) * shear_rate; }
 };
 
-/// Builds the components of a case at its start. @param meshes the reference mesh of each capsule
+/// Builds the components of a case at its start. @param shapes of its capsules
 /// @throws InputError if a mesh lies too near a wall for the kernel
-System make_system(const Case& the_case, const Parameters& parameters,
-                   const std::vector<membrane::TriangleMesh>& meshes);
+System make_system(const Case& the_case, const Parameters& parameters, const MembraneShapes& shapes);
 
 }  // namespace tanktread::driver

@@ -1,7 +1,10 @@
 #include "driver/units/laws.hpp"
 
+#include <algorithm>
+
 #include "driver/units/units.hpp"
 #include "membrane/implicit_viscosity.hpp"
+#include "membrane/shape.hpp"
 #include "membrane/viscous_law.hpp"
 
 namespace tanktread::driver {
@@ -18,6 +21,20 @@ std::optional<double> relaxation_time(const std::optional<double>& stiffness,
   return std::nullopt;
 }
 
+/// A term, in the order of the table: its modulus here and there, and what it is at rest.
+struct EnergyOfCapsule {
+  std::string name;
+  double EnergyModuli::*modulus;
+  std::string parameter, at_rest;
+};
+
+const EnergyOfCapsule energy_list[] = {
+    {"bending", &EnergyModuli::bending_modulus, "bending_modulus", "spontaneous_curvature"},
+    {"global-area", &EnergyModuli::global_area_modulus, "area_modulus", "reference_area"},
+    {"local-area", &EnergyModuli::local_area_modulus, "local_area_modulus", "reference_area"},
+    {"volume", &EnergyModuli::volume_modulus, "volume_modulus", "reference_volume"},
+};
+
 }  // namespace
 
 std::unique_ptr<membrane::ElasticLaw> elastic_law(const MembraneCase& membrane,
@@ -28,6 +45,43 @@ std::unique_ptr<membrane::ElasticLaw> elastic_law(const MembraneCase& membrane,
   law.poisson_ratio = membrane.poisson_ratio;
   law.interfacial_tension = capsule.interfacial_tension;
   return membrane::make_elastic_law(membrane.elastic_law, law);
+}
+
+std::unique_ptr<membrane::EnergyTerms> energy_terms(const MembraneCase& membrane,
+                                                    const CapsuleParameters& capsule,
+                                                    const membrane::TriangleMesh& start, int threads) {
+  if (!capsule.energy.any()) return nullptr;
+  const double area = membrane::surface_area(start.points, start.triangles);
+  const double volume = membrane::volume_moments(start.points, start.triangles).volume;
+  std::vector<membrane::EnergyChoice> choices;
+  for (const auto& term : energy_list) {
+    if (capsule.energy.*term.modulus == 0) continue;
+    auto& parameters = choices.emplace_back(term.name).parameters;
+    parameters[term.parameter] = capsule.energy.*term.modulus;
+    // What is left out is that of the mesh as the term measures it, so that it rests to the last bit.
+    if (term.at_rest == "reference_area" && membrane.energy.reference_area != 1)
+      parameters[term.at_rest] = membrane.energy.reference_area * area;
+    if (term.at_rest == "reference_volume" && membrane.energy.reference_volume != 1)
+      parameters[term.at_rest] = membrane.energy.reference_volume * volume;
+    if (term.at_rest == "spontaneous_curvature")
+      parameters[term.at_rest] = capsule.energy.spontaneous_curvature;
+  }
+  return std::make_unique<membrane::EnergyTerms>(start, choices, threads);
+}
+
+std::vector<std::string> term_names(const Parameters& parameters) {
+  std::vector<std::string> names;
+  for (const auto& term : energy_list) {
+    if (std::ranges::any_of(parameters.capsules,
+                            [&](const CapsuleParameters& c) { return c.energy.*term.modulus > 0; }))
+      names.push_back(term.name);
+  }
+  return names;
+}
+
+std::string name_in_files(std::string term) {
+  std::ranges::replace(term, '-', '_');
+  return term;
 }
 
 std::optional<membrane::ViscousParameters> viscous_parameters(const ViscousCase& viscous,

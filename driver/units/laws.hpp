@@ -3,9 +3,12 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "driver/case/case.hpp"
 #include "membrane/elastic_law.hpp"
+#include "membrane/energy_terms.hpp"
 #include "membrane/mesh.hpp"
 #include "membrane/viscous_parameters.hpp"
 
@@ -22,6 +25,19 @@ struct Parameters;
 /// The elastic law of a capsule with its moduli in lattice units.
 std::unique_ptr<membrane::ElasticLaw> elastic_law(const MembraneCase& membrane,
                                                   const CapsuleParameters& capsule);
+
+/// The energies of a capsule's membrane beside its law, in the order of the table of terms; null: none.
+/// @param start the mesh that the capsule starts as: its areas and its volume are those at rest, times the
+/// ratios of the case
+std::unique_ptr<membrane::EnergyTerms> energy_terms(const MembraneCase& membrane,
+                                                    const CapsuleParameters& capsule,
+                                                    const membrane::TriangleMesh& start, int threads);
+
+/// The names of the energies that any capsule has beside its law, in the order of the table of terms.
+std::vector<std::string> term_names(const Parameters& parameters);
+
+/// A name of the table of terms as it is in files, "global_area" of "global-area".
+std::string name_in_files(std::string term);
 
 /// What a viscous law is made from, lattice units; none: the case switches it off, or both viscosities are 0.
 /// Formulas: docs/units.md. @param outer_viscosity mu_o

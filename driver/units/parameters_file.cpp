@@ -48,6 +48,14 @@ void put_viscous_part(std::string& toml, const std::string& part, char letter, d
       fmt::format("N k_{}'", letter));
 }
 
+void put_energies(std::string& toml, const EnergyModuli& energy) {
+  put_if_given(toml, "bending_modulus", energy.bending_modulus, "kappa_b");
+  if (energy.bending_modulus > 0) put(toml, "spontaneous_curvature", energy.spontaneous_curvature, "c_0");
+  put_if_given(toml, "global_area_modulus", energy.global_area_modulus, "k_A");
+  put_if_given(toml, "local_area_modulus", energy.local_area_modulus, "k_d");
+  put_if_given(toml, "volume_modulus", energy.volume_modulus, "k_V");
+}
+
 void put_capsule(std::string& toml, const CapsuleParameters& capsule, double outer_viscosity) {
   toml += "\n[[capsule]]\n";
   put(toml, "radius", capsule.radius, "grid steps; a");
@@ -59,6 +67,8 @@ void put_capsule(std::string& toml, const CapsuleParameters& capsule, double out
   put_if_given(toml, "capillary_by_G_s", capsule.capillary_by_G_s, "mu_o g a/G_s");
   put_if_given(toml, "capillary_by_E_s", capsule.capillary_by_E_s, "mu_o g a/E_s");
   put_if_given(toml, "capillary_by_gamma", capsule.capillary_by_gamma, "mu_o g a/gamma");
+  put_if_given(toml, "capillary_by_kappa_b", capsule.capillary_by_kappa_b, "mu_o g a^3/kappa_b");
+  put_energies(toml, capsule.energy);
   if (!capsule.viscous) return;
   const auto& viscous = *capsule.viscous;
   const double unit = outer_viscosity * capsule.radius;

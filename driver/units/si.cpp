@@ -1,6 +1,7 @@
 #include "driver/units/si.hpp"
 
 #include "driver/case/si_numbers.hpp"
+#include "driver/units/load_units.hpp"
 
 namespace tanktread::driver {
 
@@ -18,6 +19,22 @@ std::optional<SiScales> si_scales(const Case& the_case, const Parameters& parame
   return scales;
 }
 
+namespace {
+
+void put_energies(SiCase& si, const EnergyModuli& energy, const SiScales& scales) {
+  const auto put = [](std::optional<double>& value, double lattice, double unit) {
+    if (lattice != 0) value = lattice * unit;
+  };
+  const double area_m2 = scales.length_m * scales.length_m;
+  put(si.bending_modulus_J, energy.bending_modulus, scales.force_N * scales.length_m);
+  put(si.spontaneous_curvature_per_m, energy.spontaneous_curvature, 1 / scales.length_m);
+  put(si.global_area_modulus_N_per_m, energy.global_area_modulus, scales.force_N / scales.length_m);
+  put(si.local_area_modulus_N_per_m, energy.local_area_modulus, scales.force_N / scales.length_m);
+  put(si.volume_modulus_N_per_m2, energy.volume_modulus, scales.force_N / area_m2);
+}
+
+}  // namespace
+
 SiCase si_of(const Case& the_case, const Parameters& parameters, const SiScales& scales) {
   const auto& first = parameters.capsules.front();
   const auto& viscous = the_case.capsules.front().membrane.viscous;
@@ -33,9 +50,10 @@ SiCase si_of(const Case& the_case, const Parameters& parameters, const SiScales&
   si.density_kg_per_m3 = pascal_second * scales.time_s / (scales.length_m * scales.length_m);
   if (first.interfacial_tension > 0) {
     si.interfacial_tension_N_per_m = first.interfacial_tension * newton_per_metre;
-  } else {
+  } else if (first.shear_modulus > 0) {
     si.shear_modulus_N_per_m = first.shear_modulus * newton_per_metre;
   }
+  put_energies(si, first.energy, scales);
   const double metre_viscosity =
       parameters.kinematic_viscosity * first.radius * pascal_second * scales.length_m;
   if (viscous.boussinesq_shear > 0) {
@@ -44,6 +62,8 @@ SiCase si_of(const Case& the_case, const Parameters& parameters, const SiScales&
   if (viscous.boussinesq_dilatational > 0) {
     si.membrane_dilatational_viscosity_N_s_per_m = viscous.boussinesq_dilatational * metre_viscosity;
   }
+  if (the_case.si && the_case.si->load_force_N)
+    si.load_force_N = load_force(the_case.capsules.front(), first) * scales.force_N;
   return si;
 }
 

@@ -1,11 +1,9 @@
 """Tests of the comparison with boundary integrals at another viscosity inside, on runs whose limit of a wide box is known."""
 
-import contextlib
-import io
 import shutil
 import unittest
 
-from post_fixture import ROOT, InFolder, write_echo, write_observables, write_run
+from post_fixture import ROOT, InFolder, said, write_echo, write_observables, write_run
 
 from tanktread_post import case_analysis, case_results
 
@@ -39,10 +37,7 @@ class CapsuleContrast(InFolder):
             )  # fmt: skip
 
     def compare(self):
-        printed = io.StringIO()
-        with contextlib.redirect_stdout(printed):
-            code = case_results.judge(self.output, self.case)
-        return code, printed.getvalue()
+        return said(case_results.judge, self.output, self.case)
 
     def test_the_unbounded_values_are_found_and_held_against_their_own_row(self):
         self.runs(0.25, 12.0)

@@ -1,75 +1,13 @@
 """Tests of the matrix of Chapter 4: what is read of runs made of functions that are known, and what is said of it."""
 
-import contextlib
-import csv
-import io
 import math
-import shutil
 import unittest
 
 import numpy
 
-from post_fixture import ROOT, InFolder, write_echo, write_observables
+from chapter_4_fixture import CASE, EVERY, OfChapter4, chapter_4, ellipse, readings
 
-from tanktread_post import case_analysis, case_results, reference
-
-CASE = ROOT / "cases/chapter-4"
-chapter_4 = case_analysis.module_of(CASE / "analyse.py")
-readings = chapter_4.readings
-
-END, EVERY, ENERGY_EVERY = 45.0, 0.05, 0.5  # shear times, as in the case
-RADIUS, SHEAR_RATE, VISCOSITY = 8.0, 2e-4, 1 / 6
-UNIT = VISCOSITY * SHEAR_RATE**2 * RADIUS**3  # of a power
-PERIOD = 10.0  # of what oscillates: the stretch of the means, over which it vanishes
-
-
-def write_table(file, columns):
-    """A table of a run from {name: values}."""
-    with open(file, "w", newline="") as stream:
-        writer = csv.writer(stream, lineterminator="\n")
-        writer.writerow(columns)
-        writer.writerows(zip(*([repr(value) for value in values.tolist()] for values in columns.values())))
-
-
-def ellipse(times, frequency, length=1.5, width=0.6, tilt_deg=15.0, start=0.3):
-    """(along the flow, along the gradient) of a marker that goes round an ellipse, clockwise, at an even rate of its parameter."""
-    phase, tilt = start - frequency * times, math.radians(tilt_deg)
-    along, across = length * numpy.cos(phase), width * numpy.sin(phase)
-    return along * math.cos(tilt) - across * math.sin(tilt), along * math.sin(tilt) + across * math.cos(tilt)
-
-
-def write_run(
-    folder, ratio=1.0, shear=0.0, dilatational=0.0, deformation=0.4, inclination=20.0, swing=0.0, frequency=0.33, circumference=1.1, speed=0.36,
-    extent=1.0, area=1.1, volume=1.0, membrane=0.0, inner=1.0, measures=True, energy=True, end=END,
-):  # fmt: skip
-    """A run folder; D and the inclination swing by shares of their means, C* and V* likewise; inner None: what is inside is not marked."""
-    viscous = {"scheme": "implicit", "boussinesq_shear": shear, "boussinesq_dilatational": dilatational}
-    write_echo(folder, radius=RADIUS, capillary_number=0.3, modulus="E_s", shear_time=END, viscosity_ratio=ratio, viscous=viscous)
-    with open(folder / "parameters.toml", "a") as stream:
-        stream.write(f"[flow]\nshear_rate = {SHEAR_RATE!r}\nkinematic_viscosity = {VISCOSITY!r}\n")
-    times = numpy.arange(round(end / EVERY) + 1) * EVERY
-    wave = 1 + swing * numpy.cos(2 * math.pi * times / PERIOD)
-    rows = [
-        {"shear_time": repr(t), "deformation": repr(deformation * w), "inclination_deg": repr(inclination * w), "area_ratio": area, "volume_ratio": v}
-        for t, w, v in zip(times.tolist(), wave.tolist(), numpy.linspace(1, volume, len(times)).tolist())
-    ]
-    write_observables(folder, rows)
-    zero = numpy.zeros(len(times))
-    if measures:
-        x, z = ellipse(times, frequency)
-        columns = {"step": numpy.arange(len(times)), "shear_time": times, "capsule": numpy.zeros(len(times), int), "circumference": circumference * wave}
-        columns |= {"membrane_speed": speed * wave, "vorticity_extent": extent + zero, "marker_x": x, "marker_y": zero, "marker_z": z}
-        write_table(folder / "measures.csv", columns)
-    if energy:
-        times = numpy.arange(round(end / ENERGY_EVERY) + 1) * ENERGY_EVERY
-        names = "elastic_energy elastic_power viscous_shear viscous_dilatational spring_power inner outer walls body_force correction kinetic_energy remainder"
-        columns = {"step": numpy.arange(len(times)), "shear_time": times} | {name: 0 * times for name in names.split()}
-        # Two parts of the membrane's, and a transient that is over when the means begin.
-        early = (times < 30).astype(float)
-        columns |= {"viscous_shear": UNIT * (0.75 * membrane + early), "viscous_dilatational": UNIT * (0.25 * membrane + early)}
-        if inner is not None:
-            columns["inner"] = UNIT * (inner + early)
-        write_table(folder / "energy.csv", columns)
+from tanktread_post import case_results, reference
 
 
 class TurningFrequency(unittest.TestCase):
@@ -96,32 +34,7 @@ class TurningFrequency(unittest.TestCase):
         self.assertTrue(math.isnan(readings.turning_frequency(times, numpy.ones(901), numpy.zeros(901), 20.0)))
 
 
-class Chapter4(InFolder):
-    def setUp(self):
-        super().setUp()
-        self.case, self.output = self.folder / "case", self.folder / "out"
-        shutil.copytree(CASE, self.case, ignore=shutil.ignore_patterns("measured", "__pycache__"))
-        self.output.mkdir()
-
-    def run_at(self, ratio, shear, dilatational=0, **what):
-        name = f"l{ratio:g}-bqs{shear:g}" + (f"-bqd{dilatational:g}" if dilatational else "")
-        write_run(self.output / name, ratio, shear, dilatational, **what)
-
-    def read(self):
-        settings = reference.read_comparison(self.case)["analyse"]
-        return {r.place: r for r in readings.read_runs(self.output, settings)}
-
-    def judged(self):
-        printed = io.StringIO()
-        with contextlib.redirect_stdout(printed):
-            code = case_results.judge(self.output, self.case)
-        return code, printed.getvalue()
-
-    def line(self, *words):
-        """The one printed line that has all the words."""
-        (line,) = (line for line in self.judged()[1].splitlines() if all(word in line for word in words))
-        return line
-
+class Chapter4(OfChapter4):
     def test_reads_what_was_put_in(self):
         self.run_at(5, 10, swing=0.25, frequency=0.31, volume=0.9985, membrane=0.8, inner=1.6, extent=1.03)
         (r,) = self.read().values()
@@ -211,7 +124,7 @@ class Chapter4(InFolder):
             self.run_at(*place, speed=0.273 + share * (0.456 * 1.04 - 0.273), circumference=0.9935 + share * (1.1196 * 0.98 - 0.9935))
         for words, word in (("V*, least", "inside"), ("V*, most", "inside"), ("C*, least", "inside"), ("C*, most", "OUTSIDE")):
             self.assertIn(word, self.line(f"{words} of {len(rows)} runs"))
-        self.assertEqual(len(case_results.draw(self.output, self.case)), 5)
+        self.assertEqual(len(case_results.draw(self.output, self.case)), 6)
 
     def test_judges_volume_and_dilatational_viscosity(self):
         self.run_at(1, 0, deformation=0.4)

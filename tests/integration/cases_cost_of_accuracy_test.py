@@ -1,11 +1,9 @@
 """Tests of the cost of an answer, on runs whose error is of second order in the grid step; and of the map of the step."""
 
-import contextlib
-import io
 import shutil
 import unittest
 
-from post_fixture import ROOT, InFolder, write_run
+from post_fixture import ROOT, InFolder, said, write_run
 
 from tanktread_post import case_analysis, case_results
 
@@ -74,10 +72,7 @@ class CostOfAccuracy(InFolder):
                 self.run_of(f"new-{capsule}-{width}", capsule, width, SPEEDS[width], *found)
 
     def compare(self):
-        printed = io.StringIO()
-        with contextlib.redirect_stdout(printed):
-            code = case_results.judge(self.folder / "out", self.folder / "case")
-        return code, printed.getvalue()
+        return said(case_results.judge, self.folder / "out", self.folder / "case")
 
     def study(self):
         return cost_of_accuracy.read_study(self.folder / "out", self.folder / "case")

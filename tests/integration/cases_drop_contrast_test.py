@@ -1,11 +1,9 @@
 """Tests of the case of another viscosity inside: its reference is the theory, and its tables on runs whose errors are known."""
 
-import contextlib
-import io
 import shutil
 import unittest
 
-from post_fixture import ROOT, InFolder, write_run
+from post_fixture import ROOT, InFolder, said, write_run
 
 from tanktread_post import case_analysis, case_results, reference
 from tanktread_post.viscous_capsule import drop_start_up, drop_steady_state, start_up, steady_state
@@ -73,10 +71,7 @@ class DropContrast(InFolder):
         )  # fmt: skip
 
     def compare(self):
-        printed = io.StringIO()
-        with contextlib.redirect_stdout(printed):
-            code = case_results.judge(self.output, self.case)
-        return code, printed.getvalue()
+        return said(case_results.judge, self.output, self.case)
 
     def series(self):
         settings = reference.read_comparison(self.case)["analyse"]
@@ -91,7 +86,7 @@ class DropContrast(InFolder):
                 self.assertEqual(found, code)
                 self.assertEqual(text.count("OUTSIDE"), code)
 
-    def test_another_radius_a_solid_inside_and_drops_are_only_shown(self):
+    def test_another_radius_a_solid_inside_and_one_drop_are_only_shown(self):
         self.run_of("one", "elastic", 0.01, 1.0, 8.0, 0.0)
         self.run_of("coarse-one", "elastic", 0.01, 1.0, 5.3, 0.0)
         self.run_of("coarse", "elastic", 0.01, 5.0, 5.3, 0.2)
@@ -113,6 +108,38 @@ class DropContrast(InFolder):
         beside = drop_contrast.beside_one(by_ratio)[5.0]
         self.assertAlmostEqual(beside[8.0], 1.012 / 1.00475 - 1, delta=1e-12)
         self.assertAlmostEqual(drop_contrast.limit(beside), 0.001, delta=1e-4)
+
+    def drops(self, error, turned, numbers=(0.02, 0.04), levels=(3, 4)):
+        """Runs whose errors are linear in 1/triangles, 1/a^2 and Ca^2 beyond these."""
+        for number in numbers:
+            for radius in (5.3, 8.0):
+                for level in levels:
+                    beyond = 0.3 * 4.0**-level + 0.64 / radius**2 + 8 * number**2
+                    name = f"drop-{number}-{radius}-{level}"
+                    self.run_of(name, "drop", number, 5.0, radius, error + beyond, turned=turned - 10 * beyond, level=level)
+
+    def test_judges_drops_where_mesh_radius_and_capillary_number_go(self):
+        # The bands are 2 % and 1 degree; outside in either is outside.
+        for error, turned, code in ((0.0195, 0.0, 0), (-0.0195, 0.95, 0), (0.0205, 0.0, 1), (-0.0205, 0.0, 1), (0.0, -1.05, 1)):
+            with self.subTest(error=error, turned=turned):
+                self.drops(error, turned)
+                stages = drop_contrast.drop_limit(self.series(), 5.0, lambda r: r.error)
+                # Ca = 0.02 and 0.04 keep their share of Ca^2. D is rounded to nothing here; lines through two points lose a digit or two each.
+                for (words, found), expected in zip(stages, (error + 0.0032, error + 0.0128, error), strict=True):
+                    self.assertAlmostEqual(found, expected, delta=1e-11, msg=words)
+                found, text = self.compare()
+                self.assertEqual((found, text.count("OUTSIDE")), (code, code))
+                self.assertEqual(text.count("inside"), 1 - code)
+
+    def test_drops_of_one_mesh_are_not_judged(self):
+        self.drops(0.5, 0.0, levels=(4,))
+        self.assertEqual(self.compare()[0], 0)
+
+    def test_drops_of_one_capillary_number_are_judged_there(self):
+        self.drops(0.0, 0.0, numbers=(0.02,))
+        (words, found), = drop_contrast.drop_limit(self.series(), 5.0, lambda r: r.error)  # fmt: skip
+        self.assertEqual(words, "Ca = 0.02")
+        self.assertAlmostEqual(found, 0.0032, delta=1e-11)
 
     def test_says_what_each_run_is_off_by_and_draws_it(self):
         self.run_of("drop", "drop", 0.04, 10.0, 8.0, 0.015, turned=-0.5)

@@ -1,11 +1,9 @@
 """Tests of the comparison with boundary integrals at large deformation, on runs whose limit of a wide box is known."""
 
-import contextlib
-import io
 import shutil
 import unittest
 
-from post_fixture import ROOT, InFolder, write_echo, write_observables, write_run
+from post_fixture import ROOT, InFolder, said, write_echo, write_observables, write_run
 
 from tanktread_post import case_analysis, case_results
 
@@ -45,10 +43,7 @@ class LargeDeformation(InFolder):
             self.run_of(f"skalak-{width}", 0.33, 28.0, width, law="skalak")
 
     def compare(self):
-        printed = io.StringIO()
-        with contextlib.redirect_stdout(printed):
-            code = case_results.judge(self.folder / "out", self.folder / "case")
-        return code, printed.getvalue()
+        return said(case_results.judge, self.folder / "out", self.folder / "case")
 
     def test_the_unbounded_values_are_found(self):
         self.runs()

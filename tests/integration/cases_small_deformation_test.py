@@ -1,11 +1,9 @@
 """Tests of the comparison with the limit of small deformation, on runs made by the formula it assumes."""
 
-import contextlib
-import io
 import shutil
 import unittest
 
-from post_fixture import ROOT, InFolder, write_run
+from post_fixture import ROOT, InFolder, said, write_run
 
 from tanktread_post import case_analysis, case_results
 
@@ -54,10 +52,7 @@ class SmallDeformation(InFolder):
             self.run_of(f"box-{width}", width=width, factor=factor)
 
     def compare(self):
-        printed = io.StringIO()
-        with contextlib.redirect_stdout(printed):
-            code = case_results.judge(self.folder / "out", self.folder / "case")
-        return code, printed.getvalue()
+        return said(case_results.judge, self.folder / "out", self.folder / "case")
 
     def test_theory(self):
         skalak = {"elastic_law": "skalak", "capillary_number": 0.3, "capillary_modulus": "G_s", "area_ratio": 1.0}

@@ -1,13 +1,11 @@
 """Tests of the first peak: its reading, the power-law fit, runs that broke down."""
 
-import contextlib
-import io
 import math
 import shutil
 import unittest
 
 import numpy
-from post_fixture import ROOT, InFolder, write_echo, write_observables, write_run
+from post_fixture import ROOT, InFolder, said, write_echo, write_observables, write_run
 
 from tanktread_post import case_analysis, case_results, measured, reference, run_folder
 
@@ -92,10 +90,7 @@ class FirstPeak(InFolder):
         return measured.add_own(case, name, text, "cases/run case")
 
     def compared(self, limit):
-        case, output = self.written(limit), io.StringIO()
-        with contextlib.redirect_stdout(output):
-            code = case_results.judge(self.folder, case)
-        return code, output.getvalue()
+        return said(case_results.judge, self.folder, self.written(limit))
 
     def test_the_limit_is_judged(self):
         code, text = self.compared(0.3501)
@@ -111,12 +106,10 @@ class FirstPeak(InFolder):
         (case / "compare.toml").write_text(COMPARE + "also_from = 3\n")
         write_peak(self.folder / "k1", 1.0, 0.36)  # 0.02 below the law of the others
         write_peak(self.folder / "k30", 30.0, 0.351)
-        output = io.StringIO()
-        with contextlib.redirect_stdout(output):
-            code = case_results.judge(self.folder, case)
-        self.assertEqual(code, 1, output.getvalue())
-        self.assertRegex(output.getvalue(), r"Bq_s = 10: c .*OUTSIDE")
-        self.assertRegex(output.getvalue(), r"Bq_s = 10, kappa from 3: c .*[+-]0\.00 % +shown only")
+        code, text = said(case_results.judge, self.folder, case)
+        self.assertEqual(code, 1, text)
+        self.assertRegex(text, r"Bq_s = 10: c .*OUTSIDE")
+        self.assertRegex(text, r"Bq_s = 10, kappa from 3: c .*[+-]0\.00 % +shown only")
 
     def test_the_spring_is_that_of_the_run(self):
         self.written(0.35)
@@ -142,10 +135,9 @@ class FirstPeak(InFolder):
         fits = first_peak.fits(first_peak.read_runs(self.folder))
         self.assertEqual(fits[10.0, False], before[10.0, False])
         self.assertAlmostEqual(fits[10.0, True][2], 0.36, delta=1e-3)
-        output = io.StringIO()
-        with contextlib.redirect_stdout(output):
-            self.assertEqual(case_results.judge(self.folder, case), 1)  # 0.36 is 3 % off, the band 1 %
-        self.assertRegex(output.getvalue(), r"Bq_s = 10, corrected: c")
+        code, text = said(case_results.judge, self.folder, case)
+        self.assertEqual(code, 1)  # 0.36 is 3 % off, the band 1 %
+        self.assertRegex(text, r"Bq_s = 10, corrected: c")
         file = self.measured(case)
         rows = {row["run"]: row for row in reference.read_table(file)}
         self.assertEqual([rows[run]["tangential_correction"] for run in ("k10", "corrected-k10")], ["", "true"])

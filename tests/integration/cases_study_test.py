@@ -4,13 +4,11 @@ The short cases have to lie inside their bands. The twisting sphere, which takes
 its cells are there is what is tested.
 """
 
-import contextlib
-import io
 import subprocess
 import sys
 import unittest
 
-from post_fixture import ROOT, InFolder
+from post_fixture import ROOT, InFolder, said
 
 from tanktread_post import case_analysis, compare, study
 
@@ -32,11 +30,10 @@ class CasesStudy(InFolder):
                 folder = self.folder / case.name
                 folder.mkdir()
                 self.make_tables(case, folder)
-                with contextlib.redirect_stdout(io.StringIO()) as printed:
-                    code = compare.compare(folder, case)
-                self.assertNotIn("not run yet", printed.getvalue())
+                code, text = said(compare.compare, folder, case)
+                self.assertNotIn("not run yet", text)
                 if case.name not in SHORTER:
-                    self.assertEqual(code, 0, printed.getvalue())
+                    self.assertEqual(code, 0, text)
 
     def test_measured_tables_are_those_of_the_study(self):
         for case in sorted(path.parent for path in (ROOT / "cases").glob("*/study.toml")):
@@ -45,8 +42,8 @@ class CasesStudy(InFolder):
                 analysis = case_analysis.load(case)
                 files |= set(analysis.measured(case / "measured", case) if analysis else ())
                 self.assertEqual({file.name for file in (case / "measured").glob("*.csv")}, files)
-                with contextlib.redirect_stdout(io.StringIO()) as printed:
-                    self.assertEqual(compare.compare(case / "measured", case), 0, printed.getvalue())
+                code, text = said(compare.compare, case / "measured", case)
+                self.assertEqual(code, 0, text)
                 for plot in study.read_study(case)["plot"]:
                     self.assertTrue(study.lines_of(case / "measured", plot))
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "driver/run/observables.hpp"
+#include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "driver/system/step.hpp"
 
@@ -51,7 +52,7 @@ threads = 1
 
 System make(const Case& the_case) {
   const auto p = parameters(the_case);
-  return make_system(the_case, p, reference_meshes(the_case));
+  return make_system(the_case, p, membrane_shapes(the_case));
 }
 
 Case parse(const char* text, const std::vector<std::string>& assignments) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "driver/units/laws.hpp"
 #include "exchange/vtk_files.hpp"
@@ -27,7 +28,7 @@ TEST_F(Implicit, ATwistMeetsTheStressOfItsVelocity) {
          "--every", "0.002", "--out", path("twist")});
   const auto the_case = driver::read_case(path("case.toml"));
   const auto parameters = driver::parameters(the_case);
-  const auto meshes = driver::reference_meshes(the_case);
+  const auto meshes = driver::membrane_shapes(the_case).meshes;
   for (const int capsule : {0, 1, 2}) {
     const auto viscosity = driver::implicit_viscosity(parameters.capsules[capsule], meshes[capsule], 1);
     ASSERT_EQ(viscosity == nullptr, capsule == 1);

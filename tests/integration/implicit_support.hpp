@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "driver/system/membrane_files.hpp"
 #include "driver/system/phases.hpp"
@@ -62,7 +63,7 @@ inline Case implicit_case(const std::vector<std::string>& assignments = {},
 }
 
 inline System make(const Case& the_case) {
-  return make_system(the_case, parameters(the_case), reference_meshes(the_case));
+  return make_system(the_case, parameters(the_case), membrane_shapes(the_case));
 }
 
 /// u_m that the next step begins with. It is before volumes are kept, which is a move of its own.

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "driver/run/measures.hpp"
+#include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "tests/integration/resume_fixture.hpp"
 
@@ -37,7 +38,7 @@ capillary_number = 0.3
 /// a drift.
 System turned(const Case& the_case, double angle, double rate) {
   const auto p = parameters(the_case);
-  auto system = make_system(the_case, p, reference_meshes(the_case));
+  auto system = make_system(the_case, p, membrane_shapes(the_case));
   const Eigen::Vector3d centre(12, 13, 11), drift(0.01, -0.02, 0.003), now = centre + 3 * drift;
   Eigen::Matrix3d rotation = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   const Eigen::Matrix3Xd arms = rotation * (system.membranes[0].positions().colwise() - centre);
@@ -65,6 +66,38 @@ TEST(Measures, OfASphereThatTurns) {
   }
 }
 
+// An ellipsoid of three axes, turned about the vorticity (z) from its place in the sphere: flow y, walls
+// across x. Its nodes carry the z axis of the mesh; of the sphere they are the linear map itself.
+TEST(Measures, OfAnEllipsoidThatTurns) {
+  const auto the_case =
+      parse_case(turned_case, "turned.toml", "/",
+                 {"capsule.0.load.direction=[0, -7, 0]", "capsule.0.mesh.euler_angles=[0, 90, 0]"});
+  const auto p = parameters(the_case);
+  // About the new x by 90 degrees: the axis of the mesh is along -y.
+  auto system = make_system(the_case, p, membrane_shapes(the_case));
+  const Eigen::Vector3d centre(12, 13, 11), semi_axes(1.3, 0.6, 1.1);
+  const auto start = system.membranes[0].positions();
+  for (const double angle : {0.1, 0.3, 1.2, 2.0, -2.5}) {
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    const Eigen::Matrix3d map = turn * semi_axes.asDiagonal();
+    system.membranes[0].set_positions((map * (start.colwise() - centre)).colwise() + centre);
+    const auto row = measure(system, the_case).at(0);
+    const Eigen::Vector3d axis = (map * -Eigen::Vector3d::UnitY()).normalized();
+    EXPECT_LT((row.axis - axis).norm(), 1e-12) << angle;
+    EXPECT_NEAR(row.axis_inclination_deg, std::atan2(axis.x(), axis.y()) * 180 / std::numbers::pi, 1e-9);
+    // The shortest axis is along y of the sphere too, towards the upper wall (x).
+    const Eigen::Vector3d shortest = axis.x() > 0 ? axis : -axis;
+    EXPECT_LT((row.short_axis - shortest).norm(), 1e-9) << angle;
+    const double inclination = std::atan(shortest.x() / shortest.y()) * 180 / std::numbers::pi;
+    EXPECT_NEAR(row.short_inclination_deg, inclination, 1e-6);
+    // Extents of an ellipsoid along y, and the larger one across it; with 642 nodes less by up to 0.6 %.
+    const double along = std::hypot(1.3 * std::sin(angle), 0.6 * std::cos(angle));
+    const double across = std::hypot(1.3 * std::cos(angle), 0.6 * std::sin(angle));
+    EXPECT_NEAR(row.axial_diameter / along, 1, 0.006) << angle;
+    EXPECT_NEAR(row.transverse_diameter / std::max(across, 1.1), 1, 0.006) << angle;
+  }
+}
+
 class MeasuresTable : public Resume {
  protected:
   static constexpr const char* with_measures = "output.measures_every=0.04";
@@ -82,8 +115,11 @@ TEST_F(MeasuresTable, IsWrittenIfItIsAskedFor) {
   EXPECT_FALSE(fs::exists(directory_ / "none/measures.csv"));
   run("all", "0.1", {"--set", with_measures});
   const auto text = table("all");
-  EXPECT_THAT(text, StartsWith("step,shear_time,capsule,circumference,membrane_speed,vorticity_extent,"
-                               "marker_x,marker_y,marker_z\n0,0,0,"));
+  EXPECT_THAT(text,
+              StartsWith("step,shear_time,capsule,circumference,membrane_speed,vorticity_extent,"
+                         "marker_x,marker_y,marker_z,axial_diameter,transverse_diameter,axis_x,axis_y,axis_z,"
+                         "axis_inclination_deg,short_axis_x,short_axis_y,short_axis_z,"
+                         "short_inclination_deg\n0,0,0,"));
   EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 4) << "steps 0, 24, 48 and the end, 60";
   // Nothing else is another.
   for (const char* file :

@@ -124,7 +124,7 @@ TEST(MeshFileHash, WithoutAFileIsRefused) {
   const auto ended = run_program(
       {"plan", (directory / "case.toml").string(), "--set", "capsule.0.mesh.file_hash=0123456789abcdef"});
   EXPECT_EQ(ended.exit_code, 2);
-  EXPECT_THAT(ended.output, HasSubstr("is of mesh.file, which is not given"));
+  EXPECT_THAT(ended.output, HasSubstr("is of the file beside it, which is not given"));
 }
 
 }  // namespace

@@ -1,11 +1,9 @@
 """A case with code of its own, analyse.py: that it is found and used, and what is refused."""
 
-import contextlib
-import io
 import re
 import unittest
 
-from post_fixture import ROOT, InFolder, write_run
+from post_fixture import ROOT, InFolder, said, write_run
 
 from tanktread_post import case_analysis, case_results
 
@@ -47,10 +45,7 @@ class CaseAnalysis(InFolder):
         (self.case / "compare.toml").write_text('title = "made for a test"\n' + compare)
 
     def judged(self):
-        printed = io.StringIO()
-        with contextlib.redirect_stdout(printed):
-            code = case_results.judge(self.output, self.case)
-        return code, printed.getvalue()
+        return said(case_results.judge, self.output, self.case)
 
     def refused(self, *words):
         """Refused, with the name of a file of the case, wherever it is used."""

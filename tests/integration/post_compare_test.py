@@ -1,11 +1,9 @@
 """Tests of reading observables and of comparing them with references."""
 
-import contextlib
-import io
 import unittest
 
 import post_fixture
-from post_fixture import InFolder, write_observables, write_run
+from post_fixture import InFolder, said, write_observables, write_run
 
 from tanktread_post import compare, reference, run_folder
 from tanktread_post.observables import Observables
@@ -120,10 +118,7 @@ class Comparing(InFolder):
         case = self.folder / "case"
         case.mkdir(exist_ok=True)
         (case / "compare.toml").write_text(text)
-        printed = io.StringIO()
-        with contextlib.redirect_stdout(printed):
-            code = compare.compare(self.folder / "run", case)
-        return code, printed.getvalue()
+        return said(compare.compare, self.folder / "run", case)
 
     def test_inside_and_outside(self):
         write_run(self.folder / "run", deformation=0.404, inclination=44.0)

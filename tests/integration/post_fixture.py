@@ -1,6 +1,8 @@
 """Run folders as tanktread writes them, made for the tests of post/, and a test case with a folder of its own."""
 
+import contextlib
 import csv
+import io
 import pathlib
 import sys
 import tempfile
@@ -28,7 +30,7 @@ inertia = {inertia}
 [[capsule]]
 radius = {radius}
 position = [{centre}, {centre}, {centre}]
-mesh = {{ shape = 'sphere', level = 3 }}
+mesh = {{ shape = 'sphere', level = {level} }}
 [membrane]
 elastic_law = '{law}'
 capillary_number = {capillary_number}
@@ -60,7 +62,15 @@ class InFolder(unittest.TestCase):
             self.assertIn(word, str(caught.exception))
 
 
-def write_echo(folder, radius=8.0, width=72, law="skalak", capillary_number=0.02, modulus="G_s", kernel="cosine4", shear_time=3.0, inertia=True, viscous=None, commit="abc", corrected=False, viscosity_ratio=1.0):
+def said(call, *arguments):
+    """(what the call returns, what it prints): of case_results.judge and compare.compare the exit code and the tables."""
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed):
+        returned = call(*arguments)
+    return returned, printed.getvalue()
+
+
+def write_echo(folder, radius=8.0, width=72, law="skalak", capillary_number=0.02, modulus="G_s", kernel="cosine4", shear_time=3.0, inertia=True, viscous=None, commit="abc", corrected=False, viscosity_ratio=1.0, level=3):
     """echo.toml of a run (`viscous`: the keys of its membrane viscosity) and the beginning of its parameters.toml."""
     folder.mkdir(parents=True, exist_ok=True)
     law_parameters = ["area_ratio = 1.0"] if law == "skalak" else []
@@ -68,7 +78,7 @@ def write_echo(folder, radius=8.0, width=72, law="skalak", capillary_number=0.02
     text = ECHO.format(
         radius=radius, width=width, centre=width / 2, law=law, capillary_number=capillary_number, modulus=modulus, kernel=kernel,
         shear_time=shear_time, inertia=str(inertia).lower(), corrected=str(corrected).lower(),
-        viscosity_ratio=viscosity_ratio, law_parameters="\n".join(law_parameters),
+        viscosity_ratio=viscosity_ratio, level=level, law_parameters="\n".join(law_parameters),
     )  # fmt: skip
     (folder / "echo.toml").write_text(text)
     (folder / "parameters.toml").write_text(f"program = 'tanktread 0.1.0'\ncommit = '{commit}'\n[[capsule]]\nradius = {radius}\n")

@@ -1,10 +1,8 @@
 """Tests of the tables of a study: reading study.toml, comparing, plotting, keeping what was measured."""
 
-import contextlib
-import io
 import unittest
 
-from post_fixture import InFolder
+from post_fixture import InFolder, said
 
 from tanktread_post import compare, measured, plot_study, reference, study
 
@@ -51,10 +49,7 @@ class Tables(InFolder):
     def compare(self, *entries):
         """Exit code and printed text of a comparison by these entries of compare.toml."""
         (self.case / "compare.toml").write_text('title = "made for a test"\nsource = "paper"\n' + "\n".join(entries))
-        printed = io.StringIO()
-        with contextlib.redirect_stdout(printed):
-            code = compare.compare(self.output, self.case)
-        return code, printed.getvalue()
+        return said(compare.compare, self.output, self.case)
 
     @staticmethod
     def value(reference, band, where='scheme = "fd", k = 1, dt = 0.1', column="error"):

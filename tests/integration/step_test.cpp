@@ -4,6 +4,7 @@
 
 #include "driver/run/checkpoint.hpp"
 #include "driver/run/observables.hpp"
+#include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "driver/system/step.hpp"
 #include "membrane/shape.hpp"
@@ -35,7 +36,7 @@ capillary_number = 0.3
 
 System make(const Case& c) {
   const auto p = parameters(c);
-  return make_system(c, p, reference_meshes(c));
+  return make_system(c, p, membrane_shapes(c));
 }
 
 Case parse(const std::vector<std::string>& assignments = {}) {
@@ -155,9 +156,9 @@ TEST(Step, StopsAtAWall) {
 TEST(System, AMeshTooNearAWallIsBadInput) {
   // A mesh file may reach further than the sphere of its radius, by which the case was checked.
   const auto c = parse();
-  auto meshes = reference_meshes(c);
-  meshes[1].points.row(2).array() -= 7.5;
-  EXPECT_THROW(make_system(c, parameters(c), meshes), InputError);
+  auto shapes = membrane_shapes(c);
+  shapes.meshes[1].points.row(2).array() -= 7.5;
+  EXPECT_THROW(make_system(c, parameters(c), shapes), InputError);
 }
 
 TEST(Step, KeepsTheVolumesIfAskedTo) {
@@ -177,7 +178,8 @@ TEST(Step, KeepsTheVolumesIfAskedTo) {
         largest = std::max(largest, std::abs(volumes()[k] / before[k] - 1));
       return largest;
     };
-    // Some 300 triangles: each step rounds their sum by 1e-15 of it, and leaves 1e-3 of a change that is 1e-8.
+    // Some 300 triangles: each step rounds their sum by 1e-15 of it, and leaves 1e-3 of a change that is
+    // 1e-8.
     EXPECT_LT(change("true"), 50 * (1e-14 + 1e-11)) << kernel;
     EXPECT_GT(change("false"), 5e-9) << kernel;
   }

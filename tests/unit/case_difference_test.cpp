@@ -28,6 +28,12 @@ std::vector<Case> samples() {
   for (const auto& text : {least_case, full_case, droplet_case, si_case}) cases.push_back(parse(text));
   cases.push_back(cases.front());
   cases.back().capsules[0].mesh.file = "/somewhere/cell.vtu";
+  cases.back().capsules[0].stress_free.file = "/somewhere/stress-free.vtu";
+  for (const auto& number : {"aspect_ratio = 0.3", "reduced_volume = 0.7"}) {
+    const auto spheroid = std::string("={shape = \"spheroid\", ") + number + "}";
+    cases.push_back(parse(least_case, {"capsule.0.mesh" + spheroid, "capsule.0.stress_free" + spheroid,
+                                       "capsule.0.mesh.direction=[1, 2, 3]"}));
+  }
   cases.push_back(cases.front());
   cases.back().capsules[0].membrane.elastic_law = "hookean";
   cases.push_back(cases.front());
@@ -48,6 +54,7 @@ std::optional<Case> changed(const Case& the_case, const Key& key) {
 TEST(CaseDifference, OnlyTheseKeysMayChangeWhenARunGoesOn) {
   const std::set<std::string> free = {"title",
                                       "capsule.N.mesh.file",  // the path; what it holds is in file_hash
+                                      "capsule.N.stress_free.file",
                                       "coupler.implicit_iterations",
                                       "run.shear_time",
                                       "run.threads",

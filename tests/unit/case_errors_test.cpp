@@ -171,6 +171,9 @@ struct Contradiction {
 };
 
 TEST(CaseErrors, Contradictions) {
+  auto vesicle_in_si = si_case + "[membrane]\nelastic_law = \"none\"\n";
+  vesicle_in_si.erase(vesicle_in_si.find("shear_modulus_N_per_m"),
+                      std::string("shear_modulus_N_per_m = 5.3e-6\n").size());
   const std::vector<Contradiction> all = {
       {least_case, {"flow.wall_speed=0.01"}, "contradicts flow.reynolds_number"},
       {least_case, {"flow.shear_rate=1e-4"}, "for kind = \"periodic\" only"},
@@ -196,8 +199,63 @@ TEST(CaseErrors, Contradictions) {
       {si_case,
        {"membrane.elastic_law=interfacial-tension"},
        "give interfacial_tension_N_per_m in its place"},
+      {least_case,
+       {"membrane.elastic_law=none", "membrane.bending_modulus=1"},
+       "membrane.bending_modulus=1: contradicts elastic_law = \"none\", whose capillary_number is of "
+       "kappa_b"},
+      {least_case,
+       {"membrane.elastic_law=none", "membrane.capillary_modulus=G_s"},
+       "contradicts elastic_law = \"none\" of capsule 0, which has none; give \"kappa_b\""},
+      {least_case, {"membrane.capillary_modulus=kappa_b"}, "give \"E_s\""},
+      {least_case, {"membrane.bending_modulus=-1"}, "membrane.bending_modulus=-1: must be a number >= 0"},
+      {least_case, {"membrane.reference_volume=0"}, "membrane.reference_volume=0: must be a number > 0"},
+      {least_case,
+       {"membrane.command=[\"sh\"]", "membrane.volume_modulus=1"},
+       "membrane.volume_modulus=1: contradicts membrane.command of capsule 0: the program gives all forces"},
+      {least_case,
+       {"membrane.command=[\"sh\"]", "membrane.elastic_law=none"},
+       "membrane.elastic_law=none: contradicts membrane.command of capsule 0"},
+      {si_case,
+       {"capsule.1.membrane.command=[\"sh\"]", "si.bending_modulus_J=2e-19"},
+       "si.bending_modulus_J=2e-19: contradicts membrane.command of capsule 1"},
+      {si_case, {"membrane.global_area_modulus=1"}, "membrane.global_area_modulus=1: contradicts [si]"},
+      {si_case,
+       {"membrane.elastic_law=none", "si.bending_modulus_J=2e-19"},
+       "si.shear_modulus_N_per_m = 5.3e-06: contradicts elastic_law = \"none\", which has none; remove it"},
+      {vesicle_in_si, {}, "si.bending_modulus_J: is missing; elastic_law = \"none\" needs it as its modulus"},
+      {vesicle_in_si,
+       {"si.bending_modulus_J=0"},
+       "si.bending_modulus_J=0: is 0; elastic_law = \"none\" needs"},
+      {si_case,
+       {"capsule.1.membrane.elastic_law=none"},
+       "capsule.1.membrane.elastic_law=none: is \"none\" in capsule 1, beside capsules with a law"},
       {least_case, {"capsule.0.mesh.file=none.vtu"}, "there is no file /somewhere/none.vtu"},
       {least_case, {"capsule.0.mesh.file="}, "is empty"},
+      {least_case, {"capsule.0.stress_free.file=none.vtu"}, "there is no file /somewhere/none.vtu"},
+      {least_case,
+       {"capsule.0.mesh.shape=spheroid"},
+       "--set capsule.0.mesh.shape=spheroid: needs aspect_ratio or reduced_volume beside it"},
+      {least_case,
+       {"capsule.0.stress_free.shape=spheroid"},
+       "--set capsule.0.stress_free.shape=spheroid: needs aspect_ratio or reduced_volume beside it"},
+      {least_case,
+       {"capsule.0.mesh={shape = \"spheroid\", aspect_ratio = 2, reduced_volume = 0.9}"},
+       "contradicts aspect_ratio, from which it follows; remove one of them"},
+      {least_case,
+       {"capsule.0.mesh.aspect_ratio=2"},
+       "contradicts shape = \"sphere\"; it is of \"spheroid\" only"},
+      {least_case,
+       {"capsule.0.stress_free.reduced_volume=0.9"},
+       "contradicts shape = \"mesh\"; it is of \"spheroid\" only"},
+      {least_case,
+       {"capsule.0.mesh={shape = \"spheroid\", aspect_ratio = 20}"},
+       "must be a number >= 0.1 and <= 10"},
+      {least_case,
+       {"capsule.0.mesh.direction=[0, 0, 0]"},
+       "--set capsule.0.mesh.direction=[0, 0, 0]: has no length, so it points nowhere"},
+      {least_case,
+       {"capsule.0.mesh={direction = [1, 0, 0], euler_angles = [0, 90, 0]}"},
+       "contradicts mesh.direction; remove one of them"},
       {least_case, {"flow.viscosity_ratio=0"}, "flow.viscosity_ratio=0: must be a number > 0"},
       {least_case, {"capsule.0.viscosity_ratio=-1"}, "capsule.0.viscosity_ratio=-1: must be a number > 0"},
       {si_case,
@@ -290,7 +348,19 @@ TEST(CaseErrors, MeshFilesAreTakenFromTheCaseFilesFolder) {
     ADD_FAILURE() << "a level beside a file was taken";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(),
-                HasSubstr("capsule.0.mesh.level = 3: contradicts mesh.file; remove one of them"));
+                HasSubstr("capsule.0.mesh.level = 3: contradicts the file beside it; remove one of them"));
+  }
+  const std::string mesh = "capsule.0.mesh.file=meshes/cell.vtu";
+  EXPECT_EQ(read_case(folder / "case.toml", {mesh, "capsule.0.stress_free.file=meshes/cell.vtu"})
+                .capsules[0]
+                .stress_free.file,
+            (folder / "meshes/cell.vtu").string());
+  try {
+    read_case(folder / "case.toml", {mesh, "capsule.0.stress_free.shape=sphere"});
+    ADD_FAILURE() << "a stress-free shape of other triangles was taken";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("has not the triangles of mesh.file, only those of mesh.shape; give "
+                                        "stress_free.file"));
   }
   std::filesystem::remove_all(folder);
 }

@@ -7,6 +7,7 @@
 
 #include "driver/plan/echo.hpp"
 #include "driver/plan/warnings.hpp"
+#include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "driver/units/laws.hpp"
 #include "membrane/implicit_viscosity.hpp"
@@ -118,7 +119,7 @@ implicit_tolerance = 1e-8
   EXPECT_EQ(the_case.capsules[1].membrane.viscous.strain_rates, "nodes");
   const auto numbers = parameters(the_case);
   EXPECT_TRUE(any_implicit(the_case, numbers));
-  const auto meshes = reference_meshes(the_case);
+  const auto meshes = membrane_shapes(the_case).meshes;
   EXPECT_EQ(implicit_viscosity(numbers.capsules[0], meshes[0], 1), nullptr);
   EXPECT_NE(implicit_viscosity(numbers.capsules[1], meshes[1], 1), nullptr);
   EXPECT_NE(viscous_law(numbers.capsules[0]), nullptr);
@@ -138,7 +139,8 @@ TEST(CaseImplicit, WithoutAViscosityOrWithAProgramThereIsNone) {
 /// theta of the shear and the dilatational part: what of a stress of 1 is remembered.
 std::pair<double, double> relaxation(const std::vector<std::string>& assignments) {
   const auto the_case = parse(least_case, assignments);
-  const auto made = implicit_viscosity(parameters(the_case).capsules[0], reference_meshes(the_case)[0], 1);
+  const auto made =
+      implicit_viscosity(parameters(the_case).capsules[0], membrane_shapes(the_case).meshes[0], 1);
   made->accept(Eigen::Matrix3Xd::Ones(3, made->rates().n_rates()));
   Eigen::Matrix3Xd memory = Eigen::Matrix3Xd::Zero(3, made->rates().n_rates());
   made->add_memory(memory);
@@ -168,7 +170,7 @@ TEST(CaseImplicit, RelaxesInTwiceTheTimeOfItsSpring) {
 TEST(CaseImplicit, RatesAreWhereTheCaseSays) {
   for (const std::string where : {"nodes", "elements"}) {
     const auto the_case = parse(least_case, {viscous("strain_rates = \"" + where + "\"")});
-    const auto meshes = reference_meshes(the_case);
+    const auto meshes = membrane_shapes(the_case).meshes;
     const auto made = implicit_viscosity(parameters(the_case).capsules[0], meshes[0], 1);
     EXPECT_EQ(made->rates().n_rates(),
               where == "nodes" ? meshes[0].points.cols() : meshes[0].triangles.cols());

@@ -7,6 +7,7 @@
 #include "driver/case/case_programs.hpp"
 #include "driver/plan/echo.hpp"
 #include "driver/plan/warnings.hpp"
+#include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "tests/integration/program.hpp"
 #include "tests/unit/case_samples.hpp"
@@ -86,7 +87,8 @@ TEST(CasePrograms, AViscousLawBesideAProgramIsWarnedOf) {
       "membrane.viscous={scheme = \"fd\", boussinesq_shear = 1, spring_stiffness = 1}";
   const auto lines_of = [](const std::vector<std::string>& assignments) {
     const auto the_case = parse(least_case, assignments);
-    return warnings(the_case, parameters(the_case), {}, Placement(the_case, reference_meshes(the_case)));
+    return warnings(the_case, parameters(the_case), {},
+                    Placement(the_case, membrane_shapes(the_case).meshes));
   };
   EXPECT_THAT(lines_of({viscous, "membrane.command=[\"sh\"]"}),
               ::testing::Contains(HasSubstr("membrane.viscous has no effect")));

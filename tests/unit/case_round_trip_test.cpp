@@ -44,6 +44,15 @@ TEST(CaseRoundTrip, WithAssignments) {
       {"membrane.command=[\"/bin/sh\", \"a \\\"b\\\"\", \"\"]", "run.command_time_limit=0.5"},
       {"flow.command=[\"sh\"]", "run.command_directory=packets"},
       {"flow.viscosity_ratio=5", "capsule.0.viscosity_ratio=0.2"},
+      {"capsule.0.mesh={shape = \"biconcave\", level = 4, direction = [0.1, -2, 1e-3]}"},
+      {"capsule.0.mesh={shape = \"spheroid\", aspect_ratio = 0.3, euler_angles = [10, -20, 400]}"},
+      {"capsule.0.mesh={shape = \"spheroid\", reduced_volume = 0.65}",
+       "capsule.0.stress_free={shape = \"spheroid\", reduced_volume = 0.95}"},
+      {"capsule.0.stress_free={shape = \"spheroid\", aspect_ratio = 2}"},
+      {"capsule.0.stress_free.shape=sphere"},
+      {"membrane.bending_modulus=0.01", "membrane.spontaneous_curvature=-2", "membrane.reference_volume=0.6"},
+      {"membrane.elastic_law=none", "membrane.local_area_modulus=100", "membrane.global_area_modulus=1e3",
+       "membrane.volume_modulus=7", "membrane.reference_area=1.01"},
   };
   for (const auto& assignments : all) expect_round_trip(parse(least_case, assignments));
 }
@@ -57,12 +66,18 @@ TEST(CaseRoundTrip, WithPhysicalValues) {
       {"si.density_kg_per_m3=997.0479"},
       {"si.inner_viscosity_Pa_s=6.1e-3"},
       {"flow.viscosity_ratio=5", "capsule.1.viscosity_ratio=0.7"},
+      {"si.bending_modulus_J=2e-19", "si.spontaneous_curvature_per_m=-1e5",
+       "si.global_area_modulus_N_per_m=1e-3", "si.local_area_modulus_N_per_m=1e-4",
+       "si.volume_modulus_N_per_m2=50", "membrane.reference_area=1.01"},
   };
   for (const auto& assignments : all) expect_round_trip(parse(si_case, assignments));
   auto droplet = si_case;
   const std::string modulus = "shear_modulus_N_per_m";
   droplet.replace(droplet.find(modulus), modulus.size(), "interfacial_tension_N_per_m");
   expect_round_trip(parse(droplet, {"membrane.elastic_law=interfacial-tension"}));
+  auto vesicle = si_case;
+  vesicle.erase(vesicle.find(modulus));  // the last line
+  expect_round_trip(parse(vesicle, {"membrane.elastic_law=none", "si.bending_modulus_J=2e-19"}));
 }
 
 TEST(CaseRoundTrip, WithAMeshFile) {
@@ -70,6 +85,10 @@ TEST(CaseRoundTrip, WithAMeshFile) {
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "cell.vtu") << "only its presence is looked at";
   expect_round_trip(parse_case(least_case, "case.toml", folder, {"capsule.0.mesh.file=cell.vtu"}));
+  expect_round_trip(
+      parse_case(least_case, "case.toml", folder,
+                 {"capsule.0.mesh.file=cell.vtu", "capsule.0.stress_free.file=cell.vtu",
+                  "capsule.0.stress_free.file_hash=0123456789abcdef", "capsule.0.mesh.direction=[1, 0, 0]"}));
   std::filesystem::remove_all(folder);
 }
 
@@ -132,8 +151,11 @@ TEST(CaseOverrides, ACapsulesOwnTableOverridesKeyByKey) {
 }
 
 TEST(CaseOverrides, TheModulusFollowsTheLaw) {
-  const std::pair<const char*, const char*> all[] = {
-      {"skalak", "E_s"}, {"neo-hookean", "G_s"}, {"hookean", "G_s"}, {"interfacial-tension", "gamma"}};
+  const std::pair<const char*, const char*> all[] = {{"skalak", "E_s"},
+                                                     {"neo-hookean", "G_s"},
+                                                     {"hookean", "G_s"},
+                                                     {"interfacial-tension", "gamma"},
+                                                     {"none", "kappa_b"}};
   for (const auto& [law, modulus] : all) {
     EXPECT_EQ(parse(least_case, {std::string("membrane.elastic_law=") + law})
                   .capsules[0]

@@ -4,6 +4,7 @@
 
 #include "driver/plan/warnings.hpp"
 #include "driver/plan/warnings_si.hpp"
+#include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "tests/unit/case_samples.hpp"
 
@@ -35,7 +36,7 @@ std::vector<std::string> warnings_of(const std::vector<std::string>& assignments
                                      const std::vector<double>& mean_edges = {}) {
   const auto the_case = parse(quiet_case, assignments);
   return warnings(the_case, parameters(the_case), mean_edges,
-                  Placement(the_case, reference_meshes(the_case)));
+                  Placement(the_case, membrane_shapes(the_case).meshes));
 }
 
 TEST(CaseWarnings, NoneWithoutReason) {
@@ -105,7 +106,8 @@ TEST(CaseWarnings, Neighbours) {
   const auto with_second = [](const std::string& x) {
     const auto the_case =
         parse(quiet_case + "[[capsule]]\nradius = 6\nposition = [" + x + ", 20, 20]\n", {"flow.box.0=80"});
-    return warnings(the_case, parameters(the_case), {}, Placement(the_case, reference_meshes(the_case)));
+    return warnings(the_case, parameters(the_case), {},
+                    Placement(the_case, membrane_shapes(the_case).meshes));
   };
   EXPECT_THAT(with_second("38"), IsEmpty());  // 6 grid steps apart: the width of stockie6
   EXPECT_THAT(with_second("37.9"),

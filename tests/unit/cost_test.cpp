@@ -4,6 +4,7 @@
 
 #include "driver/plan/duration.hpp"
 #include "driver/plan/plan.hpp"
+#include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "tests/unit/case_samples.hpp"
 
@@ -15,7 +16,7 @@ using ::testing::HasSubstr;
 
 Cost cost_of(const std::vector<std::string>& assignments, const Probe& probe = {}) {
   const auto the_case = parse(least_case, assignments);
-  return predict_cost(the_case, parameters(the_case), reference_meshes(the_case), probe);
+  return predict_cost(the_case, parameters(the_case), membrane_shapes(the_case).meshes, probe);
 }
 
 const FilesCost& files(const Cost& cost, const std::string& name) {
@@ -53,7 +54,7 @@ TEST(Cost, TakesTheTimesOfTheProbe) {
 
 TEST(Cost, TriesTheCase) {
   const auto the_case = parse(least_case, {"run.shear_time=0.01"});
-  const auto probe = try_case(the_case, parameters(the_case), reference_meshes(the_case));
+  const auto probe = try_case(the_case, parameters(the_case), membrane_shapes(the_case));
   EXPECT_EQ(probe.breakdown, "");
   EXPECT_GT(probe.mlups, 0);
   EXPECT_GT(probe.membrane_file_seconds, 0);

@@ -8,16 +8,19 @@
 #include "driver/plan/cost.hpp"
 #include "driver/plan/echo.hpp"
 #include "driver/plan/warnings.hpp"
+#include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "driver/system/placement.hpp"
 
 namespace tanktread::driver {
 
 inline std::string echo_of(const Case& the_case, const Cost& cost = {},
-                           const std::vector<double>& mean_edges = {}) {
+                           const std::vector<ShapeNumbers>& shapes = {}) {
   const auto p = parameters(the_case);
-  const Placement placement(the_case, reference_meshes(the_case));
-  return echo(the_case, p, cost, warnings(the_case, p, mean_edges, placement), mean_edges);
+  const Placement placement(the_case, membrane_shapes(the_case).meshes);
+  std::vector<double> mean_edges;
+  for (const auto& shape : shapes) mean_edges.push_back(shape.mean_edge);
+  return echo(the_case, p, cost, warnings(the_case, p, mean_edges, placement), shapes);
 }
 
 /// The line of a name, its spaces drawn together, or "".

@@ -52,7 +52,7 @@ TEST(Echo, SaysWhyAndWhatIsNotMeasured) {
 TEST(Echo, SaysWhatFollows) {
   const auto text = echo_of(parse(least_case, {"flow.box=[60, 60, 60]", "capsule.0.position=[30, 30, 30]",
                                                "capsule.0.radius=9.549", "flow.reynolds_number=0.146"}),
-                            sample_cost(), {1.25});
+                            sample_cost(), {{.mean_edge = 1.25}});
   // g = 0.146/6/9.549^2 = 2.66861e-4, U0 = 30 g.
   EXPECT_EQ(line_of(text, "box"), "box 60 x 60 x 60 0.216 million nodes");
   EXPECT_EQ(line_of(text, "shear rate g"), "shear rate g 0.000266861 2 U0/L");
@@ -141,9 +141,13 @@ TEST(Echo, SiColumn) {
 
 TEST(Echo, FitsInHundredColumns) {
   for (const auto& text : {least_case, full_case, droplet_case, si_case}) {
-    auto the_case = parse(text, {"flow.speed_limit=1e-9"});  // for a warning
+    auto the_case = parse(text, {"flow.speed_limit=1e-9",  // for a warning
+                                 "capsule.0.mesh={shape = \"spheroid\", aspect_ratio = 0.987654321, "
+                                 "direction = [0.333333333, -1e-9, 123456.7]}",
+                                 "capsule.0.stress_free.shape=biconcave"});
     the_case.title = "";
-    std::istringstream lines(echo_of(the_case, widest_cost(), {3.0, 0.1}));
+    const ShapeNumbers coarse{3.0, 1234.5678, 0.987654321, 0.987654321}, fine{0.1, 1234.5678, 0.9, 0.9};
+    std::istringstream lines(echo_of(the_case, widest_cost(), {coarse, fine}));
     for (std::string line; std::getline(lines, line);) {
       EXPECT_LE(line.size(), 100u) << line;
       EXPECT_FALSE(line.ends_with(' ')) << line;

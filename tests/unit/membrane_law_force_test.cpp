@@ -1,4 +1,5 @@
-// Every elastic law of the list on a closed surface: rest, force against energy, objectivity.
+// Every elastic law of the list that has a force on a closed surface: rest, force against energy,
+// objectivity.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -115,8 +116,15 @@ TEST_P(LawForceTest, BalancesForceAndTorque) {
   EXPECT_GT(force.cwiseAbs().maxCoeff(), 1e10 * n_corners * per_corner);
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryLaw, LawForceTest, testing::ValuesIn(law_list()),
+INSTANTIATE_TEST_SUITE_P(EveryLaw, LawForceTest, testing::ValuesIn(laws_with_a_force()),
                          [](const auto& named) { return test_name(named.param); });
+
+TEST(NoLaw, HasNeitherForceNorEnergyInAnyShape) {
+  const auto sphere = icosphere(1, radius);
+  Membrane membrane(sphere, make_elastic_law("none", {}), 1);
+  EXPECT_EQ(forces(membrane, randomly_moved(sphere.points, 0.12, 5)).cwiseAbs().maxCoeff(), 0);
+  EXPECT_EQ(membrane.elastic_energy(), 0);
+}
 
 }  // namespace
 }  // namespace tanktread::membrane::test

@@ -27,6 +27,10 @@ double interfacial_tension(const ElasticParameters& p, double, double) {
   return p.interfacial_tension;
 }
 
+double none(const ElasticParameters&, double, double) {
+  return 0;
+}
+
 }  // namespace
 
 const std::vector<LawRow>& law_list() {
@@ -36,8 +40,16 @@ const std::vector<LawRow>& law_list() {
       {"neo-hookean", {.shear_modulus = 3}, neo_hookean, 3, 9, 0, {5.625, 1.125}, 2.953125},
       {"hookean", {.shear_modulus = 3, .poisson_ratio = 0.25}, hookean, 3, 5, 0, {24, 1.5}, 15},
       {"interfacial-tension", {.interfacial_tension = 3}, interfacial_tension, 0, 0, 3, {3, 3}, 3},
+      {"none", {}, none, 0, 0, 0, {0, 0}, 0},
   };
   return list;
+}
+
+std::vector<LawRow> laws_with_a_force() {
+  std::vector<LawRow> laws;
+  for (const auto& row : law_list())
+    if (row.shear_modulus + row.area_modulus + row.tension_at_rest > 0) laws.push_back(row);
+  return laws;
 }
 
 double stress_sensitivity(const LawRow& row, double lambda1, double lambda2) {

@@ -27,6 +27,9 @@ struct LawRow {
 
 const std::vector<LawRow>& law_list();
 
+/// Those of the list that resist anything: all but none.
+std::vector<LawRow> laws_with_a_force();
+
 /// How much the principal stress changes with a stretch, plus the stress itself: the factor from a rounding
 /// of strain to a rounding of stress. By differences of the closed form.
 double stress_sensitivity(const LawRow& row, double lambda1, double lambda2);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "driver/plan/warnings.hpp"
+#include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "tests/integration/program.hpp"
 #include "tests/unit/case_samples.hpp"
@@ -131,7 +132,7 @@ TEST(Placement, WarnsOfASphereFromAFileAsOfASphere) {
            {"capsule.0.position.0=1", "capsule.1.position.0=68"}}) {
     const auto the_case = parse(two_capsules, assignments);
     const auto of_spheres =
-        warnings(the_case, parameters(the_case), {}, Placement(the_case, reference_meshes(the_case)));
+        warnings(the_case, parameters(the_case), {}, Placement(the_case, membrane_shapes(the_case).meshes));
     EXPECT_EQ(of_spheres.empty(), assignments.empty());
     EXPECT_EQ(Files(assignments, {1, 1, 1}).warnings(), of_spheres);
   }

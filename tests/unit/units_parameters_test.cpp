@@ -72,6 +72,40 @@ TEST(UnitsParameters, CapillaryNumberByEachModulus) {
   expect_near(area.area_modulus, 21.0 * area.shear_modulus);
 }
 
+// Energies are in units of the modulus of the law, G_s or gamma, and of the radius of each capsule: here 6.
+TEST(UnitsParameters, EnergiesByTheModulusOfTheLaw) {
+  const std::vector<std::string> energies = {
+      "membrane.bending_modulus=0.01", "membrane.spontaneous_curvature=-3",
+      "membrane.global_area_modulus=100", "membrane.local_area_modulus=20", "membrane.volume_modulus=50"};
+  for (const std::string law : {"skalak", "neo-hookean", "interfacial-tension"}) {
+    auto keys = energies;
+    keys.push_back("membrane.elastic_law=" + law);
+    const auto c = parameters(parse(least_case, keys)).capsules[0];
+    const double modulus = law == "interfacial-tension" ? c.interfacial_tension : c.shear_modulus;
+    EXPECT_GT(modulus, 0) << law;
+    expect_near(c.energy.bending_modulus, 0.01 * modulus * 36);
+    expect_near(c.energy.spontaneous_curvature, -0.5);
+    expect_near(c.energy.global_area_modulus, 100 * modulus);
+    expect_near(c.energy.local_area_modulus, 20 * modulus);
+    expect_near(c.energy.volume_modulus, 50 * modulus / 6);
+    EXPECT_EQ(c.capillary_by_kappa_b, 0.0);
+  }
+  EXPECT_FALSE(parameters(parse(least_case)).capsules[0].energy.any());
+}
+
+// Ca = mu_o g a^3/kappa_b = 0.3, and G = kappa_b/a^2.
+TEST(UnitsParameters, WithoutALawTheModulusIsThatOfBending) {
+  const auto p =
+      parameters(parse(least_case, {"membrane.elastic_law=none", "membrane.local_area_modulus=1000"}));
+  const auto& c = p.capsules[0];
+  expect_near(c.energy.bending_modulus, p.kinematic_viscosity * p.shear_rate * 216 / 0.3);
+  expect_near(c.energy.local_area_modulus, 1000 * c.energy.bending_modulus / 36);
+  expect_near(c.capillary_by_kappa_b, 0.3);
+  for (const double none : {c.shear_modulus, c.area_modulus, c.interfacial_tension, c.capillary_by_G_s,
+                            c.capillary_by_gamma, c.capillary_by_E_s})
+    EXPECT_EQ(none, 0.0);
+}
+
 TEST(UnitsParameters, EachCapsuleHasItsOwnRadius) {
   const auto p = parameters(parse(full_case));
   const double nu = 0.1, g = p.shear_rate;  // tau+ = 0.8

@@ -36,6 +36,11 @@ void expect_same_but_density(const SiCase& a, const SiCase& b) {
   expect_near(a.interfacial_tension_N_per_m, b.interfacial_tension_N_per_m);
   expect_near(a.membrane_shear_viscosity_N_s_per_m, b.membrane_shear_viscosity_N_s_per_m);
   expect_near(a.membrane_dilatational_viscosity_N_s_per_m, b.membrane_dilatational_viscosity_N_s_per_m);
+  expect_near(a.bending_modulus_J, b.bending_modulus_J);
+  expect_near(a.spontaneous_curvature_per_m, b.spontaneous_curvature_per_m);
+  expect_near(a.global_area_modulus_N_per_m, b.global_area_modulus_N_per_m);
+  expect_near(a.local_area_modulus_N_per_m, b.local_area_modulus_N_per_m);
+  expect_near(a.volume_modulus_N_per_m2, b.volume_modulus_N_per_m2);
 }
 
 TEST(UnitsSi, DimensionlessNumbers) {
@@ -102,6 +107,48 @@ TEST(UnitsSi, OfADroplet) {
   EXPECT_EQ(the_case.capsules[0].membrane.capillary_modulus, "gamma");
   expect_near(the_case.capsules[0].membrane.capillary_number, 4.8e-6 / 2e-5);
   expect_same_but_density(there_and_back(the_case), *the_case.si);
+}
+
+const std::vector<std::string> si_energies = {
+    "si.bending_modulus_J=2.12e-19", "si.spontaneous_curvature_per_m=-5e5",
+    "si.global_area_modulus_N_per_m=5.3e-4", "si.local_area_modulus_N_per_m=5.3e-5",
+    "si.volume_modulus_N_per_m2=132.5"};
+
+// G_s = 5.3e-6 N/m, a = 4e-6 m: kappa_b/(G_s a^2) = 2.12e-19/(5.3e-6 * 16e-12) = 0.0025, c_0 a = -2,
+// k_A/G_s = 100, k_d/G_s = 10, k_V a/G_s = 100. The second capsule is half as large.
+TEST(UnitsSi, Energies) {
+  const auto the_case = parse(si_case, si_energies);
+  const auto &first = the_case.capsules[0].membrane.energy, &second = the_case.capsules[1].membrane.energy;
+  expect_near(first.bending_modulus, 0.0025);
+  expect_near(first.spontaneous_curvature, -2.0);
+  expect_near(first.global_area_modulus, 100.0);
+  expect_near(first.local_area_modulus, 10.0);
+  expect_near(first.volume_modulus, 100.0);
+  expect_near(second.bending_modulus, 0.01);
+  expect_near(second.spontaneous_curvature, -1.0);
+  expect_near(second.volume_modulus, 50.0);
+  expect_same_but_density(there_and_back(the_case), *the_case.si);
+  const auto p = parameters(the_case);
+  expect_near(p.capsules[1].energy.bending_modulus, p.capsules[0].energy.bending_modulus);
+}
+
+// Ca = mu g a^3/kappa_b = 1.2e-3 * 1000 * 64e-18/2.12e-19, and G = kappa_b/a^2 = 1.325e-8 N/m.
+TEST(UnitsSi, WithoutALaw) {
+  auto text = si_case;
+  text.erase(text.find("shear_modulus_N_per_m"));
+  auto keys = si_energies;
+  keys.push_back("membrane.elastic_law=none");
+  const auto the_case = parse(text, keys);
+  const auto &first = the_case.capsules[0].membrane, &second = the_case.capsules[1].membrane;
+  EXPECT_EQ(first.capillary_modulus, "kappa_b");
+  expect_near(first.capillary_number, 7.68e-17 / 2.12e-19);
+  expect_near(second.capillary_number, 0.96e-17 / 2.12e-19);
+  EXPECT_EQ(first.energy.bending_modulus, 0.0);
+  expect_near(first.energy.global_area_modulus, 5.3e-4 / 1.325e-8);
+  expect_same_but_density(there_and_back(the_case), *the_case.si);
+  const auto p = parameters(the_case);
+  expect_near(p.capsules[1].energy.bending_modulus, p.capsules[0].energy.bending_modulus);
+  expect_near(p.capsules[1].energy.global_area_modulus, p.capsules[0].energy.global_area_modulus);
 }
 
 TEST(UnitsSi, OfAPeriodicBox) {
