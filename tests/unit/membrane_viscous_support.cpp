@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "membrane/element.hpp"
+#include "membrane/viscous_law.hpp"
 
 namespace tanktread::membrane::test {
 

@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "membrane/viscous_law.hpp"
+#include "membrane/maxwell.hpp"
+#include "membrane/symmetric_tensor.hpp"
+#include "membrane/viscous_parameters.hpp"
 #include "unit/membrane_support.hpp"
 
 namespace tanktread::membrane::test {
