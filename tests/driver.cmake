@@ -9,6 +9,9 @@ tanktread_test(diff_test SOURCES integration/diff_test.cpp integration/diff_dire
   LIBRARIES tanktread::exchange)
 target_compile_definitions(diff_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
 add_dependencies(diff_test tanktread)
+# Not by __FILE__, which is a relative path where ccache has a base directory.
+set_source_files_properties(unit/case_schema_test.cpp unit/step_error_test.cpp PROPERTIES
+  COMPILE_DEFINITIONS TANKTREAD_SOURCE="${PROJECT_SOURCE_DIR}")
 tanktread_test(driver_test SOURCES unit/case_schema_test.cpp unit/case_errors_test.cpp unit/case_bounds_test.cpp
   unit/number_option_test.cpp unit/schedule_test.cpp unit/memory_test.cpp unit/cost_test.cpp
   unit/case_geometry_test.cpp unit/capsule_shape_test.cpp unit/placement_test.cpp unit/case_key_depth_test.cpp unit/case_set_test.cpp unit/case_round_trip_test.cpp unit/case_warnings_test.cpp
@@ -16,9 +19,6 @@ tanktread_test(driver_test SOURCES unit/case_schema_test.cpp unit/case_errors_te
   unit/inside_packet_test.cpp unit/units_parameters_test.cpp unit/units_si_test.cpp unit/parameters_file_test.cpp unit/echo_text_test.cpp unit/output_directory_test.cpp unit/stability_test.cpp unit/closing_test.cpp unit/waiting_threads_test.cpp unit/step_error_test.cpp
   integration/step_test.cpp integration/contrast_step_test.cpp integration/program.cpp LIBRARIES tanktread_driver tomlplusplus::tomlplusplus)
 target_compile_definitions(driver_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
-# Not by __FILE__, which is a relative path where ccache has a base directory.
-set_source_files_properties(unit/case_schema_test.cpp unit/step_error_test.cpp PROPERTIES
-  COMPILE_DEFINITIONS TANKTREAD_SOURCE="${PROJECT_SOURCE_DIR}")
 tanktread_test(tables_test SOURCES integration/energy_test.cpp integration/measures_test.cpp integration/program.cpp
   LIBRARIES tanktread_driver)
 target_compile_definitions(tables_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")

@@ -1,18 +1,21 @@
 # Tests of exchange; included by tests/CMakeLists.txt when the component is built.
 add_library(exchange_samples STATIC unit/exchange_samples.cpp)
-tanktread_compile_options(exchange_samples)
+tanktread_test_compile_options(exchange_samples)
 target_link_libraries(exchange_samples PUBLIC tanktread::exchange GTest::gtest)
 
-tanktread_test(exchange_packet_test SOURCES unit/exchange_packet_test.cpp LIBRARIES exchange_samples)
-tanktread_test(exchange_shell_test SOURCES unit/exchange_shell_test.cpp LIBRARIES tanktread::exchange)
-tanktread_test(exchange_series_test SOURCES unit/exchange_series_test.cpp LIBRARIES exchange_samples)
-tanktread_test(exchange_series_append_test SOURCES unit/exchange_series_append_test.cpp LIBRARIES exchange_samples)
-tanktread_test(exchange_reading_test SOURCES unit/exchange_reading_test.cpp LIBRARIES exchange_samples)
-tanktread_test(exchange_exact_test SOURCES unit/exchange_exact_test.cpp LIBRARIES exchange_samples)
-tanktread_test(exchange_hash_test SOURCES unit/exchange_hash_test.cpp LIBRARIES exchange_samples)
-tanktread_test(exchange_difference_test SOURCES unit/exchange_difference_test.cpp LIBRARIES exchange_samples)
-tanktread_test(exchange_atomic_test SOURCES unit/exchange_atomic_test.cpp LIBRARIES exchange_samples)
-tanktread_test(exchange_polling_test SOURCES integration/exchange_polling_test.cpp LIBRARIES exchange_samples)
+tanktread_test(exchange_unit
+  SOURCES
+    unit/exchange_packet_test.cpp
+    unit/exchange_shell_test.cpp
+    unit/exchange_series_test.cpp
+    unit/exchange_series_append_test.cpp
+    unit/exchange_reading_test.cpp
+    unit/exchange_exact_test.cpp
+    unit/exchange_hash_test.cpp
+    unit/exchange_difference_test.cpp
+    unit/exchange_atomic_test.cpp
+    integration/exchange_polling_test.cpp
+  LIBRARIES exchange_samples)
 
 # With Debian's Python, since python3-meshio is installed for that one.
 set(TANKTREAD_PYTHON /usr/bin/python3 CACHE FILEPATH "Python that has meshio, for the tests")

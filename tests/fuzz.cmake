@@ -3,7 +3,7 @@
 find_package(fmt REQUIRED)
 find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel IOXML)
 add_library(tanktread_fuzz_targets STATIC fuzz/targets.cpp fuzz/seeds.cpp fuzz/input_file.cpp)
-tanktread_compile_options(tanktread_fuzz_targets)
+tanktread_test_compile_options(tanktread_fuzz_targets)
 target_include_directories(tanktread_fuzz_targets PUBLIC ${PROJECT_SOURCE_DIR})
 target_link_libraries(tanktread_fuzz_targets PUBLIC tanktread_driver tanktread::exchange
   PRIVATE VTK::CommonCore VTK::CommonDataModel VTK::CommonExecutionModel VTK::IOXML)

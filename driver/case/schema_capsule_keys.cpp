@@ -59,11 +59,6 @@ std::string refuse_load_force(const Case& the_case, std::size_t) {
   return "contradicts [si], from which it follows; give si.load_force_N";
 }
 
-std::string refuse_beside_inner_viscosity(const Case& the_case, std::size_t) {
-  if (!the_case.si || !the_case.si->inner_viscosity_Pa_s) return "";
-  return "contradicts si.inner_viscosity_Pa_s, from which it follows; remove one of them";
-}
-
 template <auto member>
 using InMesh = InCapsule<&CapsuleCase::mesh, member>;
 template <auto member>

@@ -46,11 +46,6 @@ std::string refuse_beside_si(const Case& the_case, std::size_t) {
   return "contradicts [si], from which it follows; remove one of them";
 }
 
-std::string refuse_beside_inner_viscosity(const Case& the_case, std::size_t) {
-  if (!the_case.si || !the_case.si->inner_viscosity_Pa_s) return "";
-  return "contradicts si.inner_viscosity_Pa_s, from which it follows; remove one of them";
-}
-
 /// A parameter of some elastic laws only; a program that knows no laws leaves it.
 std::string refuse_unless_law_takes(const std::string& parameter, const Case& the_case, std::size_t capsule) {
   const auto& law = the_case.capsules[capsule].membrane.elastic_law;

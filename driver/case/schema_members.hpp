@@ -132,4 +132,10 @@ KeyMaker axis_key(std::string path, std::string meaning) {
   return std::move(maker).one_of({"x", "y", "z"});
 }
 
+/// For KeyMaker::unless(): a viscosity ratio that [si] says as two viscosities.
+inline std::string refuse_beside_inner_viscosity(const Case& the_case, std::size_t) {
+  if (!the_case.si || !the_case.si->inner_viscosity_Pa_s) return "";
+  return "contradicts si.inner_viscosity_Pa_s, from which it follows; remove one of them";
+}
+
 }  // namespace tanktread::driver

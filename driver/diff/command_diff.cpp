@@ -6,12 +6,11 @@
 
 #include "driver/diff/file_difference.hpp"
 #include "driver/program/commands.hpp"
+#include "driver/program/errors.hpp"
 #include "driver/program/number_option.hpp"
 
 namespace tanktread::driver {
 namespace {
-
-constexpr int exit_different = 1;
 
 struct DiffArguments {
   std::string a, b;

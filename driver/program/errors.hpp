@@ -1,4 +1,4 @@
-// The two ways in which a command ends badly, each with its exit code.
+// The ways in which a command ends other than well, each with its exit code.
 #pragma once
 
 #include <stdexcept>
@@ -10,6 +10,9 @@ class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// Exit code of a command that compares and finds a difference.
+inline constexpr int exit_different = 1;
 
 /// The run went wrong and must stop; the message says what, where and at which step. Exit code 3.
 class RunError : public std::runtime_error {

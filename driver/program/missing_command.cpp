@@ -1,8 +1,8 @@
 #include "driver/program/missing_command.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "driver/program/errors.hpp"

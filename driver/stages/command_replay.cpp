@@ -1,6 +1,6 @@
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -8,12 +8,11 @@
 #include <tuple>
 
 #include "driver/program/commands.hpp"
+#include "driver/program/errors.hpp"
 #include "driver/stages/replay.hpp"
 
 namespace tanktread::driver {
 namespace {
-
-constexpr int exit_different = 1;
 
 std::string place_of(const ReplayedArray& array) {
   const auto& d = array.difference;

@@ -9,7 +9,7 @@
 #include "driver/system/components.hpp"
 #include "driver/system/step.hpp"
 
-namespace tanktread::driver {
+namespace tanktread::driver::contrast_step_test {
 namespace {
 
 constexpr const char* capsule_in_shear = R"([flow]
@@ -161,4 +161,4 @@ TEST(ContrastStep, ARatioOfOneIsNoneAndTheStateHasTheOthers) {
 }
 
 }  // namespace
-}  // namespace tanktread::driver
+}  // namespace tanktread::driver::contrast_step_test

@@ -7,7 +7,7 @@
 #include "coupler/tangential_correction.hpp"
 #include "tests/unit/coupler_support.hpp"
 
-namespace tanktread::coupler {
+namespace tanktread::coupler::determinism_test {
 namespace {
 
 using namespace test;
@@ -122,4 +122,4 @@ INSTANTIATE_TEST_SUITE_P(All, CouplerDeterminism, ::testing::ValuesIn(kernels())
                          [](const auto& tested) { return tested.param.name; });
 
 }  // namespace
-}  // namespace tanktread::coupler
+}  // namespace tanktread::coupler::determinism_test

@@ -3,7 +3,7 @@
 
 #include "tests/unit/coupler_dipole_support.hpp"
 
-namespace tanktread::coupler {
+namespace tanktread::coupler::dipole_test {
 namespace {
 
 using namespace test;
@@ -198,4 +198,4 @@ TEST_P(CouplerDipoles, SpreadForcesAlongTheNormalAsWithoutThem) {
 }
 
 }  // namespace
-}  // namespace tanktread::coupler
+}  // namespace tanktread::coupler::dipole_test

@@ -7,7 +7,7 @@
 
 #include "tests/unit/coupler_closed_surfaces.hpp"
 
-namespace tanktread::coupler {
+namespace tanktread::coupler::inside_refusal_test {
 namespace {
 
 using namespace test;
@@ -150,4 +150,4 @@ TEST(InsideRefusal, SizesThatDoNotFit) {
 }
 
 }  // namespace
-}  // namespace tanktread::coupler
+}  // namespace tanktread::coupler::inside_refusal_test

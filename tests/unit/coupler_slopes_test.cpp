@@ -6,7 +6,7 @@
 #include "tests/unit/coupler_moments.hpp"
 #include "tests/unit/coupler_support.hpp"
 
-namespace tanktread::coupler {
+namespace tanktread::coupler::slopes_test {
 namespace {
 
 using namespace test;
@@ -118,4 +118,4 @@ TEST_P(CouplerSlopes, OfAllAtOnceAreThoseOneByOne) {
 }
 
 }  // namespace
-}  // namespace tanktread::coupler
+}  // namespace tanktread::coupler::slopes_test

@@ -8,7 +8,7 @@
 #include "tests/unit/coupler_moments.hpp"
 #include "tests/unit/coupler_support.hpp"
 
-namespace tanktread::coupler {
+namespace tanktread::coupler::tangential_test {
 namespace {
 
 using namespace test;
@@ -217,4 +217,4 @@ TEST(TangentialCorrection, NamesTheNodeWithoutANormalOrAForceAndAddsNothing) {
 }
 
 }  // namespace
-}  // namespace tanktread::coupler
+}  // namespace tanktread::coupler::tangential_test

@@ -7,7 +7,7 @@
 
 #include "tests/unit/exchange_samples.hpp"
 
-namespace tanktread::exchange::testing {
+namespace tanktread::exchange::testing::series_test {
 namespace {
 
 using ::testing::AllOf;
@@ -104,7 +104,8 @@ TEST(Series, RefusesToReadWhatIsNotASeries) {
     return error_of([&] { read_series(file); });
   };
   EXPECT_EQ(error("<Collection/>"), "(no error)");
-  EXPECT_THAT(error("<Collection/>", "ImageData"), HasSubstr("it is a grid (.vti), not a series (.pvd); give a series"));
+  EXPECT_THAT(error("<Collection/>", "ImageData"),
+              HasSubstr("it is a grid (.vti), not a series (.pvd); give a series"));
   EXPECT_THAT(error(""), HasSubstr("is not a .pvd series"));
   EXPECT_THAT(error("<Collection><DataSet file='a'/></Collection>"),
               HasSubstr("entry 0 lacks its attribute 'timestep'"));
@@ -131,4 +132,4 @@ TEST(Series, RefusesAFileCutAnywhere) {
 }
 
 }  // namespace
-}  // namespace tanktread::exchange::testing
+}  // namespace tanktread::exchange::testing::series_test

@@ -9,7 +9,7 @@
 #include "membrane/shape.hpp"
 #include "unit/membrane_support.hpp"
 
-namespace tanktread::membrane::test {
+namespace tanktread::membrane::test::contour_test {
 namespace {
 
 /// Some hundred terms of about 1 add up.
@@ -116,4 +116,4 @@ TEST(NearestNode, IsTheFirstOfSeveral) {
 }
 
 }  // namespace
-}  // namespace tanktread::membrane::test
+}  // namespace tanktread::membrane::test::contour_test

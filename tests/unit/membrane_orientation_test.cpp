@@ -11,7 +11,7 @@
 #include "membrane/node_areas.hpp"
 #include "unit/membrane_support.hpp"
 
-namespace tanktread::membrane::test {
+namespace tanktread::membrane::test::orientation_test {
 namespace {
 
 /// Places up to 50, sums of some hundred terms.
@@ -89,4 +89,4 @@ TEST(Orientation, TheShortestAxisIsThatOfTheEllipsoid) {
 }
 
 }  // namespace
-}  // namespace tanktread::membrane::test
+}  // namespace tanktread::membrane::test::orientation_test

@@ -6,10 +6,10 @@
 #include "driver/units/si.hpp"
 #include "tests/unit/case_samples.hpp"
 
+namespace tanktread::testing::units_si_test {
 namespace {
 
 using namespace tanktread::driver;
-using namespace tanktread::testing;
 
 /// Fewer than fifty products and quotients there and back, each rounded by at most eps/2.
 constexpr double rounding = 50 * 0.5 * 2.3e-16;
@@ -170,3 +170,4 @@ TEST(UnitsSi, TheSameCaseInBothForms) {
 }
 
 }  // namespace
+}  // namespace tanktread::testing::units_si_test

@@ -7,7 +7,7 @@
 #include "coupler/tangential_correction.hpp"
 #include "tests/unit/coupler_dipole_support.hpp"
 
-namespace tanktread::coupler {
+namespace tanktread::coupler::two_fluids_test {
 namespace {
 
 using namespace test;
@@ -181,4 +181,4 @@ TEST_P(TwoFluidsSheet, IsRightButForTheRestWithTheCorrection) {
 }
 
 }  // namespace
-}  // namespace tanktread::coupler
+}  // namespace tanktread::coupler::two_fluids_test

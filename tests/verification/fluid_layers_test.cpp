@@ -8,7 +8,7 @@
 
 #include "tests/unit/fluid_support.hpp"
 
-namespace tanktread::fluid::test {
+namespace tanktread::fluid::test::layers_test {
 namespace {
 
 // 1 : 5; tau+ = 0.6 and 1.
@@ -232,4 +232,4 @@ TEST(FluidTwoLayers, a_body_force_gives_what_channel_flow_dissipates_to_second_o
 }
 
 }  // namespace
-}  // namespace tanktread::fluid::test
+}  // namespace tanktread::fluid::test::layers_test

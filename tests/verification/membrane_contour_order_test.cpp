@@ -8,7 +8,7 @@
 #include "membrane/contour.hpp"
 #include "unit/membrane_support.hpp"
 
-namespace tanktread::membrane::test {
+namespace tanktread::membrane::test::contour_order_test {
 namespace {
 
 constexpr double long_axis = 1.5, breadth_axis = 1.2, short_axis = 0.7, inclination = 0.4;
@@ -65,4 +65,4 @@ TEST(ContourOrder, OfAnEllipsoidIsTwo) {
 }
 
 }  // namespace
-}  // namespace tanktread::membrane::test
+}  // namespace tanktread::membrane::test::contour_order_test

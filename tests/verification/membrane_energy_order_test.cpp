@@ -7,7 +7,7 @@
 
 #include "unit/membrane_energy_list.hpp"
 
-namespace tanktread::membrane::test {
+namespace tanktread::membrane::test::energy_order_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -126,4 +126,4 @@ TEST(BendingOrder, OfTheWorkOfASphereThatGrows) {
 }
 
 }  // namespace
-}  // namespace tanktread::membrane::test
+}  // namespace tanktread::membrane::test::energy_order_test

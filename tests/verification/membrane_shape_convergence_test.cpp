@@ -8,7 +8,7 @@
 #include "membrane/shape.hpp"
 #include "unit/membrane_support.hpp"
 
-namespace tanktread::membrane::test {
+namespace tanktread::membrane::test::shape_convergence_test {
 namespace {
 
 constexpr double long_axis = 1.5, breadth_axis = 1.2, short_axis = 0.7, inclination = 0.4;
@@ -64,4 +64,4 @@ TEST(ShapeConvergence, LeavesASmallErrorAtLevelFour) {
 }
 
 }  // namespace
-}  // namespace tanktread::membrane::test
+}  // namespace tanktread::membrane::test::shape_convergence_test

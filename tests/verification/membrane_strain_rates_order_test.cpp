@@ -9,7 +9,7 @@
 
 #include "unit/membrane_strain_rates_support.hpp"
 
-namespace tanktread::membrane::test {
+namespace tanktread::membrane::test::strain_rates_order_test {
 namespace {
 
 using std::numbers::pi;
@@ -142,4 +142,4 @@ TEST_P(StrainRatesOrderAt, MotionAlongTheNormalShearsFlatTrianglesFalsely) {
 }
 
 }  // namespace
-}  // namespace tanktread::membrane::test
+}  // namespace tanktread::membrane::test::strain_rates_order_test
