@@ -136,7 +136,7 @@ struct EnergyKey {
   const char* name;
   double EnergyCase::*value;
   const char* si_path;
-  std::optional<double> SiCase::*si_value;
+  std::optional<double> SiCase::*in_si;
 };
 
 constexpr EnergyKey energy_keys[] = {
@@ -154,7 +154,7 @@ void check_energies_of_program(CaseReader& reader, const Case& the_case, std::si
   const auto& membrane = the_case.capsules[capsule].membrane;
   if (membrane.command.empty()) return;
   for (const auto& key : energy_keys) {
-    const double value = the_case.si ? (*the_case.si.*key.si_value).value_or(0) : membrane.energy.*key.value;
+    const double value = the_case.si ? (*the_case.si.*key.in_si).value_or(0) : membrane.energy.*key.value;
     if (value == 0) continue;
     reader.problem(the_case.si ? key.si_path : membrane_path(reader, key.name, capsule),
                    fmt::format("contradicts membrane.command of capsule {}: the program gives all forces of "
