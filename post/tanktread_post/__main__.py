@@ -52,6 +52,9 @@ def build_parser():
     command.add_argument("--made-by", required=True, metavar="COMMAND", help="the command that made it")
     command.add_argument("--log", type=pathlib.Path, help="what the run printed: for its speed (default: OUTPUT.log)")
 
+    command = add("keep", _keep, "copies the tables of the case's own analysis, and its pictures, to its measured/", True)
+    command.add_argument("--made-by", required=True, metavar="COMMAND", help="the command that made them")
+
     _add_convert_surface(commands)
     _add_convert_series(commands)
     return parser
@@ -108,6 +111,10 @@ def _measure(arguments):
     run = arguments.run or arguments.output.resolve().name
     log = arguments.log or arguments.output.with_name(arguments.output.name + ".log")
     return _said([measured.add(arguments.case, arguments.output, run, arguments.at, arguments.made_by, log)])
+
+
+def _keep(arguments):
+    return _said(case_results.keep(arguments.output, arguments.case, arguments.made_by))
 
 
 def _convert_surface(arguments):

@@ -2,8 +2,9 @@
 
 import pathlib
 
-from . import case_analysis, compare, series
-from .reference import read_comparison
+from . import case_analysis, compare, measured, series
+from .observables import InputError
+from .reference import ANALYSE, read_comparison
 from .run_folder import is_run
 from .table import print_tables
 
@@ -23,6 +24,17 @@ def draw(output, case=None):
     elif analysis is None or read_comparison(case)["picture"]:
         files += plot.plot_observables(output, case)
     return files
+
+
+def keep(output, case, command):
+    """Copies the tables of the case's own analysis, and its pictures, to its measured/. Returns the files. For a case with a script of its own."""
+    analysis = case_analysis.load(case)
+    if analysis is None:
+        raise InputError(f"{case}: there is no {ANALYSE} in it, so there are no tables to keep")
+    files = [measured.add_own(case, name, text, command) for name, text in analysis.measured(output, case).items()]
+    pictures = draw(output, case)
+    measured.add_pictures(case, pictures)
+    return [*files, *(pathlib.Path(case) / "measured" / pathlib.Path(picture).name for picture in pictures)]
 
 
 def reached_snapshots(output, case):

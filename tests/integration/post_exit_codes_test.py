@@ -98,7 +98,7 @@ class Ending(InFolder):
 
     def test_missing_files(self):
         self.write()
-        for command in (["plot"], ["compare", "--case", "none"], ["finished"], ["render"], ["snapshots", "--case", "none"], ["measure", "--case", "none", "--at", "1", "--made-by", ""], ["convert-series"]):
+        for command in (["plot"], ["compare", "--case", "none"], ["finished"], ["render"], ["snapshots", "--case", "none"], ["keep", "--case", "none", "--made-by", ""], ["measure", "--case", "none", "--at", "1", "--made-by", ""], ["convert-series"]):
             arguments = __main__.build_parser().parse_args([command[0], "none", *command[1:], *(["a.xdmf"] if command == ["convert-series"] else [])])
             code, said = self.ended(lambda: arguments.call(arguments))
             self.assertEqual((code, "none" in said or command == ["finished"]), (1 if command == ["finished"] else 2, True), said)
