@@ -9,14 +9,14 @@ levels=${2:-2 3}
 wanted=" ${*:3} "
 tanktread --version >/dev/null
 mkdir -p "$output" && output=$(realpath "$output")
-while IFS=, read -r shape _ _ ratio bend modulus area volume time longest; do
+while IFS=, read -r shape branch v ratio modulus area volume time longest; do
   if [[ $shape == \#* || $shape == shape || ($wanted != "  " && $wanted != *" $shape "*) ]]; then continue; fi
   for level in $levels; do
     folder=$output/$shape-$level
     if [ -f "$folder/energy/energy.csv" ]; then continue; fi
     rm -rf "$folder" && mkdir "$folder"
     tanktread mesh spheroid --level "$level" --aspect-ratio "$ratio" "$folder/start.vtu" >/dev/null
-    if [ "$bend" != 0 ]; then /usr/bin/python3 "$here/bend.py" "$folder/start.vtu" "$folder/start.vtu" "$bend"; fi
+    if [ "$branch" = stomatocyte ]; then PYTHONPATH="$here/../../post" /usr/bin/python3 "$here/cup.py" "$folder/start.vtu" "$folder/start.vtu" "$v"; fi
     step=$(awk -v l="$level" -v s="$longest" 'BEGIN { print s * 16^(2 - l) }') # the rate of a node goes as h^-4
     echo "$shape, level $level"
     tanktread membrane drag --case "$here/case.toml" --set "capsule.0.mesh={file=\"$folder/start.vtu\"}" --set membrane.reference_area="$area" \
