@@ -57,6 +57,14 @@ void set_normals(CapsuleMembrane& membrane, const Eigen::Matrix3Xd& positions) {
   membrane.restore(state);
 }
 
+[[noreturn]] void refuse(std::size_t capsule, const membrane::NodeDrag::Solution& solution) {
+  throw RunError(
+      fmt::format("capsule {}: its velocities under the implicit viscosity are not found: after {} "
+                  "iterations they are known to {:.3g} of their norm, {:g} is asked for; raise "
+                  "coupler.implicit_iterations, or the drag (--drag)",
+                  capsule, solution.n_iterations, solution.error, velocity_tolerance));
+}
+
 double longest(const Eigen::Matrix3Xd& vectors) {
   return std::sqrt(vectors.colwise().squaredNorm().maxCoeff());
 }
@@ -68,7 +76,8 @@ DragMotion::DragMotion(const Case& the_case, const Parameters& parameters, const
     : most_iterations_(the_case.coupler.implicit_iterations),
       membranes_(make_membranes(the_case, with_law_step(parameters, law_step), shapes)),
       elastic_(make_membranes(the_case, without_viscosity(parameters), shapes)),
-      springs_(membranes_.size()) {
+      springs_(membranes_.size()),
+      growth_(membranes_.size(), 1.0) {
   for (std::size_t k = 0; k < membranes_.size(); ++k) {
     const auto& triangles = membranes_[k].reference().triangles;
     const auto& capsule = parameters.capsules[k];
@@ -83,20 +92,13 @@ DragMotion::DragMotion(const Case& the_case, const Parameters& parameters, const
   velocity_ = zero_like(positions_of(membranes_));
 }
 
-void DragMotion::set_velocity(std::size_t k, const Eigen::Matrix3Xd& force, double tolerance,
-                              Eigen::Matrix3Xd& velocity) const {
+membrane::NodeDrag::Solution DragMotion::solve(std::size_t k, const Eigen::Matrix3Xd& force, double tolerance,
+                                               Eigen::Matrix3Xd& velocity) const {
   const auto* viscosity = membranes_[k].implicit_viscosity();
-  if (viscosity == nullptr) {
-    velocity = drag_[k].velocity(force);
-    return;
-  }
-  const auto solution = drag_[k].solve(force, viscosity->rates(), tolerance, most_iterations_, velocity);
-  if (solution.error <= tolerance) return;
-  throw RunError(
-      fmt::format("capsule {}: its velocities under the implicit viscosity are not found: after {} "
-                  "iterations they are known to {:.3g} of their norm, {:g} is asked for; raise "
-                  "coupler.implicit_iterations, or the drag (--drag)",
-                  k, solution.n_iterations, solution.error, tolerance));
+  if (viscosity != nullptr)
+    return drag_[k].solve(force, viscosity->rates(), tolerance, most_iterations_, velocity);
+  velocity = drag_[k].velocity(force);
+  return {};
 }
 
 void DragMotion::start_at(const NodeVectors& positions) {
@@ -108,7 +110,8 @@ void DragMotion::settle(const NodeVectors& positions, std::int64_t step) {
   const auto force = nodal_forces(membranes_, positions, velocity_, step);
   for (std::size_t k = 0; k < membranes_.size(); ++k) {
     drag_[k].set_positions(positions[k]);
-    set_velocity(k, force[k], velocity_tolerance, velocity_[k]);
+    const auto solution = solve(k, force[k], velocity_tolerance, velocity_[k]);
+    if (!(solution.error <= velocity_tolerance)) refuse(k, solution);
     if (auto* viscosity = membranes_[k].implicit_viscosity())
       viscosity->accept(viscosity->stress_of(velocity_[k]));
   }
@@ -155,7 +158,8 @@ std::vector<double> DragMotion::grow_disturbance(const NodeVectors& positions, c
       return std::sqrt(disturbance_[k].colwise().squaredNorm().dot(drag_[k].coefficients()));
     };
     const double before = size();
-    set_velocity(k, change, disturbance_tolerance, disturbance_[k]);
+    disturbance_[k] *= growth_[k];  // where it is going to be, but for its direction
+    solve(k, change, disturbance_tolerance, disturbance_[k]);
     growth.push_back(size() / before);
     disturbance_[k] /= longest(disturbance_[k]);
   }
@@ -167,9 +171,8 @@ double DragMotion::highest_rate(std::int64_t step) {
   const auto force = nodal_forces(elastic_, positions, velocity_, step);
   const int n_iterations = has_grown_ ? 5 : 30;
   has_grown_ = true;
-  std::vector<double> growth;
-  for (int k = 0; k < n_iterations; ++k) growth = grow_disturbance(positions, force, step);
-  return *std::ranges::max_element(growth);
+  for (int k = 0; k < n_iterations; ++k) growth_ = grow_disturbance(positions, force, step);
+  return *std::ranges::max_element(growth_);
 }
 
 }  // namespace tanktread::driver

@@ -52,8 +52,9 @@ class DragMotion {
   NodeVectors force() const;
 
  private:
-  void set_velocity(std::size_t capsule, const Eigen::Matrix3Xd& force, double tolerance,
-                    Eigen::Matrix3Xd& velocity) const;
+  /// @param velocity where to begin; overwritten
+  membrane::NodeDrag::Solution solve(std::size_t capsule, const Eigen::Matrix3Xd& force, double tolerance,
+                                     Eigen::Matrix3Xd& velocity) const;
   std::vector<double> grow_disturbance(const NodeVectors& positions, const NodeVectors& force,
                                        std::int64_t step);
 
@@ -65,7 +66,8 @@ class DragMotion {
   /// Empty without.
   std::vector<std::vector<membrane::StrainRates>> springs_;
   NodeVectors velocity_, disturbance_;
-  bool has_grown_ = false;  ///< the disturbance is one of the fastest by now
+  std::vector<double> growth_;  ///< of the disturbance of each capsule, by the last iteration
+  bool has_grown_ = false;      ///< the disturbance is one of the fastest by now
 };
 
 }  // namespace tanktread::driver
