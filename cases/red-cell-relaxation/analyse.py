@@ -1,6 +1,6 @@
 """The time t_c in which the cell comes back, by the fit of relaxation.py to L/W, against mu_s/G_s; and L/W over time.
 
-The results are output/RUN/drag.csv, RUN a row of runs.csv. L and W are the axial and the transverse diameter, time is shear time over
+The results are output/RUN/drag.csv, RUN a row of releases.csv. L and W are the axial and the transverse diameter, time is shear time over
 si.shear_rate_per_s from the release on.
 """
 
@@ -35,8 +35,8 @@ class Release:
 
 
 def releases(output, case):
-    """The releases that are there, in the order of runs.csv."""
-    si, file = read_toml(pathlib.Path(case) / "case.toml")["si"], pathlib.Path(case) / "runs.csv"
+    """The releases that are there, in the order of releases.csv."""
+    si, file = read_toml(pathlib.Path(case) / "case.toml")["si"], pathlib.Path(case) / "releases.csv"
     later_than = read_comparison(case)["analyse"]["later_than"]
     found = []
     for row in read_table(file):

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Stretches the cell without membrane viscosity, lets it go with that of each row of runs.csv; then pictures and comparison.
+# Stretches the cell without membrane viscosity, lets it go with that of each row of releases.csv; then pictures and comparison.
 #   cases/run red-cell-relaxation, or with a tanktread in PATH: cases/red-cell-relaxation/run.sh OUTPUT_DIRECTORY [--measure] [RUN ...]
 set -euo pipefail
 case=$(dirname "$(realpath "$0")")
@@ -14,8 +14,8 @@ measure=
 rm -rf "$output/stretched"
 tanktread membrane drag --case "$case/case.toml" --set output.observables_every=0.1 --still 1e-3 --shear-time 2 --out "$output/stretched"
 start=$(ls "$output"/stretched/membrane/membrane_*.vtu | tail -n 1)
-# The columns of runs.csv, in their order.
-grep -v '^#' "$case/runs.csv" | tail -n +2 | while IFS=, read -r run _ viscosity drag shear_time; do
+# The columns of releases.csv, in their order.
+grep -v '^#' "$case/releases.csv" | tail -n +2 | while IFS=, read -r run _ viscosity drag shear_time; do
   [[ $# -eq 0 || " $* " == *" $run "* ]] || continue
   rm -rf "${output:?}/$run"
   echo "$run"

@@ -14,7 +14,7 @@ from tanktread_post.relaxation import length_over_width
 
 CASE = ROOT / "cases/red-cell-relaxation"
 COLUMNS = "step,shear_time,capsule,axial_diameter,transverse_diameter,volume_ratio,area_ratio,elastic_energy,load_power,speed".split(",")
-MEMBRANE_TIMES = {"mu0.3": 0.06, "mu0.42": 0.084, "mu0.7": 0.14}  # mu_s/G_s, s, by case.toml and runs.csv
+MEMBRANE_TIMES = {"mu0.3": 0.06, "mu0.42": 0.084, "mu0.7": 0.14}  # mu_s/G_s, s, by case.toml and releases.csv
 
 
 class RedCellRelaxation(InFolder):
@@ -22,7 +22,7 @@ class RedCellRelaxation(InFolder):
         super().setUp()
         self.case = self.folder / "case"
         self.case.mkdir()
-        for name in ("analyse.py", "case.toml", "compare.toml", "runs.csv"):
+        for name in ("analyse.py", "case.toml", "compare.toml", "releases.csv"):
             shutil.copy(CASE / name, self.case)
         shutil.copytree(CASE / "reference", self.case / "reference")
 
