@@ -57,7 +57,7 @@ endfunction()
 # groups: helpers of the same name in two of them are an error.
 function(tanktread_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES" ${ARGN})
-  tanktread_unite(sources ${name} 6 ${arg_SOURCES})
+  tanktread_unite(sources ${name} 10 ${arg_SOURCES})
   add_executable(${name} ${sources})
   tanktread_test_compile_options(${name})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})

@@ -5,8 +5,7 @@ set(TANKTREAD_UNITED_FOLDER ${PROJECT_BINARY_DIR}/united CACHE PATH
   "Where the groups are written: the same for several build folders of one checkout lets ccache know them again")
 
 # tanktread_unite(RESULT NAME SIZE SOURCES ...): sets RESULT to sources NAME_1.cpp, NAME_2.cpp ..., which include up to SIZE of the given ones each.
-# A source with definitions of its own stays by itself. Never for what computes the numbers of a run: what is inlined, and
-# so where a product and a sum are fused, would depend on the group.
+# A source with definitions of its own stays by itself. What computes numbers needs tanktread_round_each_operation().
 function(tanktread_unite result name size)
   set(${result} ${ARGN} PARENT_SCOPE)
   if(NOT TANKTREAD_UNITE)
@@ -49,4 +48,11 @@ function(tanktread_unite result name size)
     file(CONFIGURE OUTPUT ${file} CONTENT "${text}" @ONLY)
   endwhile()
   set(${result} ${united} ${alone} PARENT_SCOPE)
+endfunction()
+
+# tanktread_round_each_operation(SOURCES ...): a product and a sum are never fused in these. Where they are depends on what is
+# inlined, and that on the other sources of a group; so what is grouped and computes numbers of a run has the same bits in any
+# group and by itself. The loops that take the time of a step are not grouped, and may fuse.
+function(tanktread_round_each_operation)
+  set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -ffp-contract=off)
 endfunction()

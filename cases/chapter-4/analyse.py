@@ -1,6 +1,6 @@
 """The matrix of viscosity ratio and membrane viscosity of the thesis's Chapter 4: what each run comes to, and what the thesis says of it.
 
-gathered.py brings together what is known of the runs: readings.py (one run in numbers), histories.py (in time), outlines.py (in the shear plane). verdicts.py,
+gathered.py brings together what is known of the runs: readings.py (one run in numbers), histories.py (in time), tanktread_post.outlines (in the shear plane). verdicts.py,
 statements.py and remarks.py hold it against the thesis, figures.py and shape_figures.py draw. A run without output is taken from measured/; one that is in neither is
 named as missing. So `plot` and `compare` of an empty folder draw and print what is kept.
 """

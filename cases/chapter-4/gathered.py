@@ -3,13 +3,14 @@
 import dataclasses
 import pathlib
 
+from tanktread_post import outlines
 from tanktread_post.case_analysis import module_of
 from tanktread_post.observables import InputError
 from tanktread_post.reference import read_comparison, read_table
 from tanktread_post.run_folder import finished_runs
 
 HERE = pathlib.Path(__file__).parent
-readings, histories, outlines = (module_of(HERE / f"{name}.py") for name in ("readings", "histories", "outlines"))
+readings, histories = (module_of(HERE / f"{name}.py") for name in ("readings", "histories"))
 IN_TIME = {"fig-4.2", "fig-4.4", "fig-4.10"}  # groups of runs.csv whose runs are drawn against time
 
 

@@ -11,6 +11,7 @@ import numpy
 from tanktread_post.observables import InputError, Observables
 from tanktread_post.reference import read_table
 from tanktread_post.run_folder import end_of, finished_runs, read_echo, read_parameters
+from tanktread_post.turning import turning_frequency
 
 SHAPE = ("deformation", "inclination_deg", "area_ratio")  # of observables.csv
 CONTOUR = ("circumference", "membrane_speed", "vorticity_extent")  # of measures.csv
@@ -59,25 +60,6 @@ class Reading:
     def place(self):
         """(lambda, Bq_s, Bq_d)."""
         return self.viscosity_ratio, self.boussinesq_shear, self.boussinesq_dilatational
-
-
-def _crossing(times, phase, value):
-    """When a phase that grows in the mean was last at a value: by the cubic through the four samples around, whose error is of fourth order."""
-    before = int(numpy.flatnonzero(phase <= value)[-1])
-    first = min(max(before - 1, 0), len(times) - 4)
-    around = slice(first, first + 4)
-    return times[before] + numpy.polynomial.polynomial.polyfit(phase[around] - value, times[around] - times[before], 3)[0]
-
-
-def turning_frequency(times, along_flow, along_gradient, longest):
-    """nu* = 2 pi/(g T) of a marker that goes round a centre: its mean angular velocity over as many half turns as there are, up to the end, in the
-    last `longest` shear times; NaN without one. Within a half turn the velocity may be any: a steady shape looks the same from its other end."""
-    angle = numpy.unwrap(numpy.arctan2(along_gradient, along_flow))
-    phase = numpy.sign(angle[-1] - angle[0]) * (angle - angle[-1])  # grows to 0
-    half_turns = math.floor(-phase[times >= times[-1] - longest][0] / math.pi)
-    if half_turns < 1 or len(times) < 4:
-        return math.nan
-    return float(half_turns * math.pi / (times[-1] - _crossing(times, phase, -half_turns * math.pi)))
 
 
 def _contour(directory, axes, start, end, longest):

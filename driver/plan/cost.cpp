@@ -7,6 +7,7 @@
 #include "driver/case/names.hpp"
 #include "driver/system/components.hpp"
 #include "driver/system/loads.hpp"
+#include "driver/units/laws.hpp"
 #include "driver/units/schedule.hpp"
 #include "fluid/lattice_boltzmann.hpp"
 
@@ -89,7 +90,10 @@ Cost predict_cost(const Case& the_case, const Parameters& parameters,
   // A checkpoint has the membrane's record, reference positions and perhaps first ones, and of a triangle its
   // normal and viscous history.
   constexpr double checkpoint_node = node_record + 3 * 8, checkpoint_triangle = triangle_record + (3 + 9) * 8;
-  constexpr double observables_row = 300, measures_row = 350, energy_row = 270;
+  constexpr double observables_row = 300, measures_row = 350, number = 19;
+
+  // Two columns more for each energy beside the laws.
+  const double energy_row = 270 + 2 * number * static_cast<double>(term_names(parameters).size());
 
   // The forces of loads, on all nodes if on any.
   const bool loaded = std::ranges::any_of(the_case.capsules, has_load);
@@ -112,9 +116,11 @@ Cost predict_cost(const Case& the_case, const Parameters& parameters,
   Cost cost;
   cost.memory_bytes = memory_needed_bytes(the_case, meshes);
   cost.files = {
-      {"observables", n_rows, n_rows, observables_row * static_cast<double>(meshes.size()), 0},
-      {"measures", n_measures, n_measures, measures_row * static_cast<double>(meshes.size()), 0},
-      {"energy", n_energy, n_energy, energy_row, 0},
+      {"observables", n_rows, n_rows, observables_row * static_cast<double>(meshes.size()),
+       probe.observables_seconds},
+      {"measures", n_measures, n_measures, measures_row * static_cast<double>(meshes.size()),
+       probe.measures_seconds},
+      {"energy", n_energy, n_energy, energy_row, probe.energy_seconds},
       {"membrane files", n_membrane, n_membrane, membrane_bytes, probe.membrane_file_seconds},
       {"fluid files", n_fluid, n_fluid, fluid_bytes, probe.grid_seconds_per_byte * fluid_bytes},
       {"checkpoints", n_checkpoints, std::min(kept_checkpoints, n_checkpoints), checkpoint_bytes,

@@ -6,6 +6,9 @@
 #include <filesystem>
 #include <optional>
 
+#include "driver/observe/energy.hpp"
+#include "driver/observe/measures.hpp"
+#include "driver/observe/observables.hpp"
 #include "driver/packets/fluid_files.hpp"
 #include "driver/system/components.hpp"
 #include "driver/system/membrane_files.hpp"
@@ -86,6 +89,15 @@ void measure_writing(const System& system, const Case& the_case, Probe& probe) {
   probe.grid_seconds_per_byte = seconds / static_cast<double>(fs::file_size(grid));
 }
 
+/// What a row of each table takes to find: of the energies, the passes over all of the fluid.
+void measure_rows(const System& system, const Case& the_case, Probe& probe) {
+  probe.observables_seconds = seconds_of([&] { observe(system, the_case); });
+  if (the_case.output.measures_every > 0)
+    probe.measures_seconds = seconds_of([&] { measure(system, the_case); });
+  if (the_case.output.energy_every > 0)
+    probe.energy_seconds = seconds_of([&] { energy_budget(system, the_case); });
+}
+
 }  // namespace
 
 Probe try_case(const Case& the_case, const Parameters& parameters, const MembraneShapes& shapes) {
@@ -93,6 +105,7 @@ Probe try_case(const Case& the_case, const Parameters& parameters, const Membran
   try {
     auto system = make_system(the_case, parameters, shapes);
     probe.mlups = measure_speed(system, last_step_of(the_case, parameters));
+    measure_rows(system, the_case, probe);
     measure_writing(system, the_case, probe);
   } catch (const RunError& error) {
     probe.breakdown = error.what();

@@ -6,8 +6,8 @@
 #include <iterator>
 
 #include "driver/packets/fluid_files.hpp"
-#include "driver/run/energy.hpp"
-#include "driver/run/measures.hpp"
+#include "driver/observe/energy.hpp"
+#include "driver/observe/measures.hpp"
 #include "driver/system/membrane_files.hpp"
 #include "driver/units/laws.hpp"
 #include "exchange/vtk_files.hpp"

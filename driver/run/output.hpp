@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "driver/run/observables.hpp"
+#include "driver/observe/observables.hpp"
 #include "driver/run/output_series.hpp"
 #include "driver/run/output_table.hpp"
 #include "driver/run/row_counts.hpp"

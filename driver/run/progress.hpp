@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "driver/run/observables.hpp"
+#include "driver/observe/observables.hpp"
 
 namespace tanktread::driver {
 

@@ -29,7 +29,9 @@ void add_fluid_command(CLI::App& app, int& exit_code) {
   add_number(*command, "--steps", stage.n_steps, "Time steps to take", between(0, most_steps))
       ->capture_default_str();
   command->add_option("--out", stage.out, "State to write (.vti)")->required();
-  command->add_option("--fields", stage.fields, "Grid file to write too: density, velocity, force");
+  command->add_option(
+      "--fields", stage.fields,
+      "Grid file to write too: density, velocity, force; and inside, if --inside has it of all nodes");
   command->add_option("--free", stage.free,
                       "Grid file to write too: velocity of the next step without forces, and mobility");
   command->callback([=, &exit_code] {

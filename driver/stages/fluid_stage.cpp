@@ -2,6 +2,8 @@
 
 #include <memory>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 #include "driver/packets/fluid_files.hpp"
 #include "driver/packets/packet_files.hpp"
@@ -29,18 +31,23 @@ void restore(fluid::Fluid& fluid, const std::filesystem::path& file) {
   }
 }
 
-void take_steps(fluid::Fluid& fluid, const FluidStage& stage) {
+/// @return the capsule that each node is in, where --inside says it of all nodes; else nothing, for a state
+/// has viscosities alone
+std::vector<std::int32_t> take_steps(fluid::Fluid& fluid, const FluidStage& stage) {
   GridVectors force;
   if (!stage.force.empty()) {
     force = grid_vectors_of(exchange::read_grid(stage.force), "force", stage.the_case.flow.box,
                             stage.force.string());
   }
+  std::vector<std::int32_t> inside;
   if (!stage.inside.empty()) {
-    const auto marks = grid_marks_of(exchange::read_grid(stage.inside), stage.the_case.capsules.size(),
-                                     stage.the_case.flow.box, stage.inside.string());
+    auto marks = grid_marks_of(exchange::read_grid(stage.inside), stage.the_case.capsules.size(),
+                               stage.the_case.flow.box, stage.inside.string());
     set_viscosity(fluid, marks, viscosities_of_marks(stage.the_case));
+    if (std::ssize(marks.capsule) == fluid.shape().size()) inside = std::move(marks.capsule);
   }
   for (std::int64_t k = 0; k < stage.n_steps; ++k) advance_fluid(fluid, force);
+  return inside;
 }
 
 void check_places(const FluidStage& stage) {
@@ -88,14 +95,14 @@ void run(const FluidStage& stage) {
     note_other_case(stage.state, stage.the_case, "flow.");
     restore(*fluid, stage.state);
   }
-  take_steps(*fluid, stage);
+  const auto inside = take_steps(*fluid, stage);
   auto state = fluid->state();
   const auto step = state.step;
   exchange::write_grid(stage.out, state_file(std::move(state), fluid->shape()));
   if (!stage.free.empty()) write_free_velocity(*fluid, stage, step);
   if (stage.fields.empty()) return;
-  exchange::write_grid(stage.fields,
-                       flow_file(*fluid, std::nullopt, step, static_cast<double>(step) * numbers.shear_rate));
+  exchange::write_grid(stage.fields, flow_file(*fluid, std::nullopt, step,
+                                               static_cast<double>(step) * numbers.shear_rate, inside));
 }
 
 }  // namespace

@@ -27,6 +27,20 @@ std::vector<coupler::SideViscosities> viscosities_of_sides(const Case& the_case)
   return sides;
 }
 
+/// One a surface; those of a viscosity seen before are taken over, for each is a sum over many places.
+std::vector<double> dipole_lengths_of(const std::vector<coupler::SideViscosities>& sides,
+                                      const coupler::Kernel& kernel) {
+  std::vector<double> lengths;
+  for (const auto& side : sides) {
+    const auto same = [&](const auto& other) {
+      return other.inner == side.inner && other.outer == side.outer;
+    };
+    const auto first = static_cast<std::size_t>(std::ranges::find_if(sides, same) - sides.begin());
+    lengths.push_back(first < lengths.size() ? lengths[first] : coupler::dipole_length(kernel, side));
+  }
+  return lengths;
+}
+
 coupler::TangentialCorrection correction_of(const std::vector<coupler::SideViscosities>& sides,
                                             const std::vector<double>& dipole_lengths,
                                             const coupler::Coupler& coupler) {
@@ -46,10 +60,8 @@ NodeCorrections make_node_corrections(const Case& the_case, const coupler::Coupl
   NodeCorrections corrections;
   corrections.keeps_volume = the_case.coupler.keep_volume;
   const auto sides = viscosities_of_sides(the_case);
-  if (the_case.coupler.shear_dipole && has_contrast(the_case)) {
-    for (const auto& side : sides)
-      corrections.dipole_lengths.push_back(coupler::dipole_length(coupler.kernel(), side));
-  }
+  if (the_case.coupler.shear_dipole && has_contrast(the_case))
+    corrections.dipole_lengths = dipole_lengths_of(sides, coupler.kernel());
   if (the_case.coupler.tangential_correction)
     corrections.along_membrane.emplace(correction_of(sides, corrections.dipole_lengths, coupler));
   if (corrections.along_membrane || !corrections.dipole_lengths.empty())

@@ -1,5 +1,5 @@
-// What the immersed boundary of a step costs: the stencils, the way to the membrane and the way back; and
-// which grid nodes are inside.
+// What the immersed boundary of a step costs: the stencils, the way to the membrane and the way back, without
+// and with the dipoles of a surface between two fluids; and which grid nodes are inside.
 #include <benchmark/benchmark.h>
 
 #include <span>
@@ -20,18 +20,22 @@ namespace {
 /// (level 4) has, at the thesis's size. Between two builds it moves by what a fast step moves it.
 class Capsule {
  public:
-  explicit Capsule(const Kernel& kernel)
+  /// @param dipole_length of its surface, grid steps (ShearDipole); 0: none
+  explicit Capsule(const Kernel& kernel, double dipole_length = 0)
       : coupler_(grid, kernel),
         positions_{test::sphere(n_nodes, radius, {60.0, 60.0, 60.0}),
                    test::sphere(n_nodes, radius, {60.05, 60.01, 59.99})},
         node_velocity_(3 * n_nodes),
-        node_force_(test::random_numbers(3 * n_nodes, -1.0, 1.0, 1)) {
+        node_force_(test::random_numbers(3 * n_nodes, -1.0, 1.0, 1)),
+        normals_(test::sphere(n_nodes, 1.0, {0.0, 0.0, 0.0})),
+        dipole_length_(dipole_length) {
     build();
   }
 
   void build() {
     const std::span<const double> surface[] = {positions_[++n_builds_ % 2]};
-    coupler_.build(surface);
+    const ShearDipole dipoles[] = {{normals_, dipole_length_}};
+    coupler_.build(surface, dipoles);
     // The two places touch numbers of grid nodes that differ a little.
     grid_velocity_.resize(3 * coupler_.grid_nodes().size(), 0.5);
     grid_force_.resize(grid_velocity_.size());
@@ -90,14 +94,16 @@ class Capsule {
   // What comes out of one call never goes into another: numbers that shrink round after round end below the
   // normal doubles, which some processors are slow at.
   std::vector<double> node_velocity_, node_force_, grid_velocity_, grid_force_;
+  std::vector<double> normals_;
+  double dipole_length_;
   std::vector<int> triangles_ = some_triangles();
   int n_builds_ = 0;
 };
 
-void every_kernel(const char* what, void (Capsule::*work)()) {
+void every_kernel(const char* what, void (Capsule::*work)(), double dipole_length = 0) {
   for (const auto& kernel : kernels()) {
-    const auto run = [&kernel, work](benchmark::State& state) {
-      Capsule capsule(kernel);
+    const auto run = [&kernel, work, dipole_length](benchmark::State& state) {
+      Capsule capsule(kernel, dipole_length);
       for (auto _ : state) {
         (capsule.*work)();
         benchmark::ClobberMemory();
@@ -145,6 +151,12 @@ int main(int argc, char** argv) {
   every_kernel("coupler_spread", &Capsule::spread);
   every_kernel("coupler_step", &Capsule::step);
   every_kernel("coupler_correct", &Capsule::correct);
+  // Between two fluids: how much more the same calls take with slopes and dipoles.
+  constexpr double dipole_length = -0.25;
+  every_kernel("coupler_build_dipole", &Capsule::build, dipole_length);
+  every_kernel("coupler_interpolate_dipole", &Capsule::interpolate, dipole_length);
+  every_kernel("coupler_spread_dipole", &Capsule::spread, dipole_length);
+  every_kernel("coupler_step_dipole", &Capsule::step, dipole_length);
   for (const bool anew : {false, true}) {
     benchmark::RegisterBenchmark(anew ? "coupler_inside_mark" : "coupler_inside_update", inside, anew)
         ->ArgNames({"across", "threads"})

@@ -14,7 +14,7 @@
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include "driver/case/schema.hpp"
-#include "driver/run/observables.hpp"
+#include "driver/observe/observables.hpp"
 #include "exchange/vtk_files.hpp"
 #include "tests/fuzz/input_file.hpp"
 #include "tests/unit/case_samples.hpp"

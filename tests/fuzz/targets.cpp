@@ -10,7 +10,7 @@
 #include "driver/packets/packet_files.hpp"
 #include "driver/packets/surface_mesh.hpp"
 #include "driver/program/errors.hpp"
-#include "driver/run/observables.hpp"
+#include "driver/observe/observables.hpp"
 #include "driver/run/table_file.hpp"
 #include "exchange/difference.hpp"
 #include "exchange/vtk_files.hpp"

@@ -12,9 +12,9 @@ from chapter_4_fixture import RADIUS, OfChapter4, chapter_4, ellipse, write_run
 from post_fixture import octahedron, write_series
 from surface_shapes import torus
 
-from tanktread_post import case_results, measured, reference
+from tanktread_post import case_results, measured, outlines, reference
 
-outlines, histories, membrane_speed = chapter_4.outlines, chapter_4.histories, chapter_4.membrane_speed
+histories, membrane_speed = chapter_4.histories, chapter_4.membrane_speed
 CENTRE = numpy.array([36.0, 35.5, 36.25])  # of the membranes, in grid steps
 
 

@@ -7,7 +7,7 @@ import numpy
 
 from chapter_4_fixture import CASE, EVERY, OfChapter4, chapter_4, ellipse, readings
 
-from tanktread_post import case_results, reference
+from tanktread_post import case_results, reference, turning
 
 
 class TurningFrequency(unittest.TestCase):
@@ -18,20 +18,20 @@ class TurningFrequency(unittest.TestCase):
         for frequency in (0.2, 0.3349, 0.5, -0.36682):
             for longest in (20.0, 44.0):
                 with self.subTest(frequency=frequency, longest=longest):
-                    found = readings.turning_frequency(times, *ellipse(times, frequency), longest)
+                    found = turning.turning_frequency(times, *ellipse(times, frequency), longest)
                     self.assertAlmostEqual(found, abs(frequency), delta=1e-7)
 
     def test_is_that_of_the_last_turns(self):
         # Twice as fast before shear time 20: the phase is continuous.
         times = numpy.arange(901) * EVERY
         phase = numpy.where(times < 20, 0.6 * times, 12 + 0.3 * (times - 20))
-        self.assertAlmostEqual(readings.turning_frequency(times, numpy.cos(phase), -numpy.sin(phase), 22.0), 0.3, delta=1e-6)
-        self.assertGreater(readings.turning_frequency(times, numpy.cos(phase), -numpy.sin(phase), 44.0), 0.35)
+        self.assertAlmostEqual(turning.turning_frequency(times, numpy.cos(phase), -numpy.sin(phase), 22.0), 0.3, delta=1e-6)
+        self.assertGreater(turning.turning_frequency(times, numpy.cos(phase), -numpy.sin(phase), 44.0), 0.35)
 
     def test_of_less_than_half_a_turn_is_not_known(self):
         times = numpy.arange(901) * EVERY
-        self.assertTrue(math.isnan(readings.turning_frequency(times, *ellipse(times, 0.1), 20.0)))
-        self.assertTrue(math.isnan(readings.turning_frequency(times, numpy.ones(901), numpy.zeros(901), 20.0)))
+        self.assertTrue(math.isnan(turning.turning_frequency(times, *ellipse(times, 0.1), 20.0)))
+        self.assertTrue(math.isnan(turning.turning_frequency(times, numpy.ones(901), numpy.zeros(901), 20.0)))
 
 
 class Chapter4(OfChapter4):

@@ -13,14 +13,6 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-std::vector<double> values(const std::string& file, const char* array) {
-  return exchange::find_array(exchange::read_grid(file).point_data, array, file).values;
-}
-
-bool has(const std::string& file, const char* array) {
-  return exchange::find_optional_array(exchange::read_grid(file).point_data, array) != nullptr;
-}
-
 /// The volume in one of two capsules that have as many triangles.
 double volume(const exchange::SurfacePacket& surface, std::size_t capsule) {
   const auto n_numbers = surface.triangles.size() / 2;

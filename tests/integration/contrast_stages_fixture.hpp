@@ -4,6 +4,7 @@
 #include <fstream>
 #include <string>
 
+#include "exchange/vtk_files.hpp"
 #include "tests/integration/stages_fixture.hpp"
 
 namespace tanktread::testing {
@@ -57,6 +58,13 @@ class Contrast : public Stages {
   static std::string numbered(const std::string& name, int step) {
     const auto digits = std::to_string(step);
     return name + "_" + std::string(10 - digits.size(), '0') + digits;
+  }
+  /// An array of a grid file.
+  static std::vector<double> values(const std::string& file, const char* array) {
+    return exchange::find_array(exchange::read_grid(file).point_data, array, file).values;
+  }
+  static bool has(const std::string& file, const char* array) {
+    return exchange::find_optional_array(exchange::read_grid(file).point_data, array) != nullptr;
   }
   /// Both files of a state, byte for byte.
   void expect_same_end(const std::string& first, const std::string& second, int step = contrast_steps) const {

@@ -51,6 +51,7 @@ TEST_P(ContrastRun, StagedEqualsFused) {
            path("inside.vti"), "--out", path("fluid.vti"), "--fields", path("flow.vti"), "--free",
            path("free.vti")});
   }
+  EXPECT_TRUE(values(path("flow.vti"), "inside") == values(path("inside.vti"), "inside"));
   EXPECT_TRUE(read_file(path("membrane.vtu")) == read_file(path("record/end/membrane.vtu")));
   EXPECT_TRUE(read_file(path("fluid.vti")) == read_file(path("record/end/fluid.vti")));
 }
@@ -96,6 +97,20 @@ TEST_P(ContrastRun, HasTheSameBitsOnAnyNumberOfThreads) {
 
 // Its first marks are news against those of the checkpoint, not against a fluid without capsules: else a node
 // that a capsule leaves in that step would keep the viscosity.
+TEST_F(Contrast, FieldsHaveTheMarksOnlyWhereTheyAreKnownOfAllNodes) {
+  call({"run", path("case.toml"), "--output", path("out"), "--record", path("record")});
+  const std::vector<std::string> no_marks,
+      some = {"--inside", path("record/inside/" + numbered("inside", 6) + ".vti")};
+  for (const auto& marks : {no_marks, some}) {
+    std::vector<std::string> words = {"fluid",           "--state",  path("record/begin/fluid.vti"),
+                                      "--steps",         "0",        "--out",
+                                      path("fluid.vti"), "--fields", path("flow.vti")};
+    words.insert(words.end(), marks.begin(), marks.end());
+    stage(words);
+    EXPECT_FALSE(has(path("flow.vti"), "inside")) << words.size();
+  }
+}
+
 TEST_F(Contrast, TheRecordOfAResumedRunIsTheSame) {
   record(10);
   call({"run", path("case.toml"), "--output", path("half"), "--shear-time", "0.04"});

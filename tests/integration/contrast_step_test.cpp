@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "driver/run/observables.hpp"
+#include "driver/observe/observables.hpp"
 #include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "driver/system/step.hpp"
@@ -83,6 +83,42 @@ TEST(ContrastStep, TheShearDipoleIsThatOfTheKeyAndOfTheContrast) {
     EXPECT_LT(moved, 20 * 0.003) << correction;
     EXPECT_EQ(after("true", "1"), after("false", "1")) << correction;
   }
+}
+
+// Six grid steps lie between their kernels, on both sides, and nothing travels faster than one a step.
+TEST(ContrastStep, ANeighbourOfTheViscosityOutsideHasNoDipole) {
+  constexpr int n_steps = 4;
+  const std::string pair = std::string(capsule_in_shear) + R"([[capsule]]
+radius = 5.0
+position = [33.0, 10.0, 12.0]
+viscosity_ratio = 5.0
+mesh = { level = 2 }
+)";
+  for (const std::string correction : {"true", "false"}) {
+    const auto after = [&](const std::string& dipole) {
+      auto system = make(parse(pair.c_str(), {"flow.box=[44, 20, 24]", "coupler.shear_dipole=" + dipole,
+                                              "coupler.tangential_correction=" + correction}));
+      for (int step = 0; step < n_steps; ++step) advance(system);
+      return system;
+    };
+    const auto with = after("true"), without = after("false");
+    EXPECT_EQ(with.membranes[0].positions(), without.membranes[0].positions()) << correction;
+    EXPECT_NE(with.membranes[1].positions(), without.membranes[1].positions()) << correction;
+  }
+}
+
+TEST(ContrastStep, EachCapsuleHasTheDipoleOfItsOwnViscosity) {
+  const auto lengths_of = [](const std::vector<std::string>& assignments) {
+    return make(parse(capsules_at_rest, assignments)).corrections.dipole_lengths;
+  };
+  const auto mixed = lengths_of({}),
+             same = lengths_of({"flow.viscosity_ratio=0.2", "capsule.0.viscosity_ratio=0.2"});
+  ASSERT_EQ(mixed.size(), 2U);
+  ASSERT_EQ(same.size(), 2U);
+  EXPECT_LT(mixed[0], 0);  // inwards, where the viscosity is greater
+  EXPECT_GT(mixed[1], 0);
+  EXPECT_EQ(same[0], mixed[1]);
+  EXPECT_EQ(same[1], mixed[1]);
 }
 
 TEST(ContrastStep, NothingMovesInAFluidAtRest) {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "driver/run/energy.hpp"
+#include "driver/observe/energy.hpp"
 #include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "driver/system/step.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "driver/run/checkpoint.hpp"
-#include "driver/run/observables.hpp"
+#include "driver/observe/observables.hpp"
 #include "tests/integration/implicit_support.hpp"
 #include "tests/integration/program.hpp"
 

@@ -29,8 +29,9 @@ ROOMS = {
     "system": ("program", "case", "units", "packets", "outside"),  # the components put together; phases; the step
     "study": ("program", "case"),  # one component or two against an exact answer
     "stages": ("program", "case", "units", "packets", "outside", "system", "study"),  # one component from files; replay
-    "plan": ("program", "case", "units", "packets", "outside", "system"),  # what a case will be and cost
-    "run": ("program", "case", "units", "packets", "outside", "system", "stages", "plan"),  # the run and its output
+    "observe": ("program", "case", "units", "packets", "outside", "system"),  # what is read of a system at a time
+    "plan": ("program", "case", "units", "packets", "outside", "system", "observe"),  # what a case will be and cost
+    "run": ("program", "case", "units", "packets", "outside", "system", "stages", "observe", "plan"),  # the run, its output
     "diff": ("program",),  # two outputs compared
     "absent": ("program", "case", "stages"),  # in the place of commands whose component is not built
 }

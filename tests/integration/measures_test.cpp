@@ -7,7 +7,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "driver/run/measures.hpp"
+#include "driver/observe/measures.hpp"
 #include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "tests/integration/resume_fixture.hpp"

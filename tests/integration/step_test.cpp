@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "driver/run/checkpoint.hpp"
-#include "driver/run/observables.hpp"
+#include "driver/observe/observables.hpp"
 #include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "driver/system/step.hpp"

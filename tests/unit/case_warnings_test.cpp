@@ -102,6 +102,20 @@ TEST(CaseWarnings, MeshEdges) {
               ElementsAre(AllOf(HasSubstr("2.01"), HasSubstr("raise capsule.0.mesh.level"))));
 }
 
+// Edges of one grid step on a radius of 6 are those of 16 pi/sqrt(3) 36 = 1045 triangles: with Ca = 0.3 the
+// share 6.4/(0.3 * 1045) = 0.0204 a shear time.
+TEST(CaseWarnings, ADropWhoseMeshIsShearedForLong) {
+  const auto of = [](const std::string& law, double shear_time, double edge) {
+    return warnings_of({"membrane.elastic_law=" + law, "run.shear_time=" + std::to_string(shear_time)},
+                       {edge});
+  };
+  const auto said = HasSubstr("D may be off by");
+  EXPECT_THAT(of("interfacial-tension", 0.9, 1.0), Not(Contains(said)));
+  EXPECT_THAT(of("interfacial-tension", 1.1, 1.0), Contains(said));
+  EXPECT_THAT(of("interfacial-tension", 1.1, 0.8), Not(Contains(said)));
+  EXPECT_THAT(of("skalak", 20, 1.0), Not(Contains(said)));
+}
+
 TEST(CaseWarnings, Neighbours) {
   const auto with_second = [](const std::string& x) {
     const auto the_case =

@@ -42,21 +42,42 @@ TEST(Cost, CountsAllOutputs) {
 TEST(Cost, TakesTheTimesOfTheProbe) {
   Probe probe;
   probe.mlups = 2;
+  probe.observables_seconds = 0.01;
+  probe.measures_seconds = 0.02;
+  probe.energy_seconds = 0.04;
   probe.membrane_file_seconds = 0.5;
   probe.grid_seconds_per_byte = 1e-6;
   const auto cost =
-      cost_of({"run.shear_time=0.01", "output.membrane_every=1e-3", "output.fluid_every=0"}, probe);
+      cost_of({"run.shear_time=0.01", "output.membrane_every=1e-3", "output.fluid_every=0",
+               "output.observables_every=1e-3", "output.measures_every=1e18", "output.energy_every=1e-3"},
+              probe);
   const double n_nodes = 36 * 40 * 44;
   EXPECT_DOUBLE_EQ(cost.step_seconds, 22 * n_nodes / 2e6);
-  // 12 membrane files; two checkpoints, each a membrane file and 22 doubles a node.
-  EXPECT_DOUBLE_EQ(cost.write_seconds(), 12 * 0.5 + 2 * (0.5 + 1e-6 * 22 * 8 * n_nodes));
+  // 12 membrane files; two checkpoints, each a membrane file and 22 doubles a node; 12, 2, 12 rows.
+  EXPECT_DOUBLE_EQ(cost.write_seconds(),
+                   12 * 0.5 + 2 * (0.5 + 1e-6 * 22 * 8 * n_nodes) + 12 * 0.01 + 2 * 0.02 + 12 * 0.04);
+}
+
+TEST(Cost, ARowOfTheEnergiesIsLongerByTwoColumnsOfEach) {
+  const auto energy_bytes = [](const std::vector<std::string>& assignments) {
+    return files(cost_of(assignments), "energy").bytes;
+  };
+  const double without = energy_bytes({});
+  const double one = energy_bytes({"membrane.bending_modulus=0.01"});
+  const double two = energy_bytes({"membrane.bending_modulus=0.01", "membrane.volume_modulus=1"});
+  EXPECT_GT(one, without);
+  EXPECT_DOUBLE_EQ(two - one, one - without);
 }
 
 TEST(Cost, TriesTheCase) {
-  const auto the_case = parse(least_case, {"run.shear_time=0.01"});
+  const auto the_case =
+      parse(least_case, {"run.shear_time=0.01", "output.measures_every=0.01", "output.energy_every=0.01"});
   const auto probe = try_case(the_case, parameters(the_case), membrane_shapes(the_case));
   EXPECT_EQ(probe.breakdown, "");
   EXPECT_GT(probe.mlups, 0);
+  EXPECT_GT(probe.observables_seconds, 0);
+  EXPECT_GT(probe.measures_seconds, 0);
+  EXPECT_GT(probe.energy_seconds, 0);
   EXPECT_GT(probe.membrane_file_seconds, 0);
   EXPECT_GT(probe.grid_seconds_per_byte, 0);
 }

@@ -8,7 +8,7 @@
 #include "coupler/tangential_correction.hpp"
 #include "tests/unit/coupler_dipole_support.hpp"
 
-namespace tanktread::coupler {
+namespace tanktread::coupler::dipole_layout_test {
 namespace {
 
 using namespace test;
@@ -266,4 +266,4 @@ TEST(CouplerDipoleKernels, NeedAKernelWithSlopesAndNormalsOnlyForALength) {
 }
 
 }  // namespace
-}  // namespace tanktread::coupler
+}  // namespace tanktread::coupler::dipole_layout_test

@@ -8,7 +8,7 @@
 #include "exchange/content_hash.hpp"
 #include "tests/unit/exchange_samples.hpp"
 
-namespace tanktread::exchange::testing {
+namespace tanktread::exchange::testing::hash_test {
 namespace {
 
 using ::testing::AllOf;
@@ -172,4 +172,4 @@ TEST_F(Hash, KeepsItsNameForItself) {
 }
 
 }  // namespace
-}  // namespace tanktread::exchange::testing
+}  // namespace tanktread::exchange::testing::hash_test

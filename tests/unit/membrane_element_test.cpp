@@ -7,7 +7,7 @@
 
 #include "unit/membrane_support.hpp"
 
-namespace tanktread::membrane::test {
+namespace tanktread::membrane::test::element_test {
 namespace {
 
 /// A triangle of edges 1.5 to 2.5 somewhere in space. Entries of F below carry 12 eps |x|/height = 50
@@ -134,4 +134,4 @@ TEST(CornerForces, OfAnEvenTensionAreMinusTheDerivativeOfTheArea) {
 }
 
 }  // namespace
-}  // namespace tanktread::membrane::test
+}  // namespace tanktread::membrane::test::element_test

@@ -10,7 +10,7 @@
 #include "membrane/shape.hpp"
 #include "unit/membrane_support.hpp"
 
-namespace tanktread::membrane::test {
+namespace tanktread::membrane::test::end_loads_test {
 namespace {
 
 const Eigen::Vector3d oblique(0.3, -1.1, 0.7);
@@ -163,4 +163,4 @@ TEST(EndLoads, RefuseWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace tanktread::membrane::test
+}  // namespace tanktread::membrane::test::end_loads_test

@@ -11,7 +11,7 @@
 
 #include "unit/membrane_support.hpp"
 
-namespace tanktread::membrane::test {
+namespace tanktread::membrane::test::rotation_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -87,4 +87,4 @@ TEST(Rotation, RefusesWhatHasNoDirection) {
 }
 
 }  // namespace
-}  // namespace tanktread::membrane::test
+}  // namespace tanktread::membrane::test::rotation_test

@@ -9,7 +9,7 @@
 
 #include "unit/membrane_support.hpp"
 
-namespace tanktread::membrane::test {
+namespace tanktread::membrane::test::shape_test {
 namespace {
 
 // The second moment of an icosphere of any level is a multiple of the identity, by the symmetry of the
@@ -121,4 +121,4 @@ TEST(Deformation, RefusesAxesThatMakeNoPlane) {
 }
 
 }  // namespace
-}  // namespace tanktread::membrane::test
+}  // namespace tanktread::membrane::test::shape_test

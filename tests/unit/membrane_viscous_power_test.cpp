@@ -7,7 +7,7 @@
 #include "unit/membrane_strain_rates_support.hpp"
 #include "unit/membrane_viscous_support.hpp"
 
-namespace tanktread::membrane::test {
+namespace tanktread::membrane::test::viscous_power_test {
 namespace {
 
 double sum(const ViscousPower& power) {
@@ -123,4 +123,4 @@ TEST_P(ViscousPowerAt, OfAStressThatIsOffItsRatesStaysOutOfTheSprings) {
 }
 
 }  // namespace
-}  // namespace tanktread::membrane::test
+}  // namespace tanktread::membrane::test::viscous_power_test

@@ -13,6 +13,7 @@
 #include "driver/program/errors.hpp"
 #include "driver/program/number_option.hpp"
 
+namespace number_option_test {
 namespace {
 
 using namespace tanktread::driver;
@@ -160,3 +161,4 @@ TEST(CommandLineNumbers, AreEachRefusedWhenTheyAreNone) {
 }
 
 }  // namespace
+}  // namespace number_option_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "driver/run/observables.hpp"
+#include "driver/observe/observables.hpp"
 #include "tests/integration/implicit_support.hpp"
 
 namespace tanktread::driver {

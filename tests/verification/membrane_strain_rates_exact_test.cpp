@@ -9,7 +9,7 @@
 #include "unit/membrane_strain_rates_support.hpp"
 #include "unit/membrane_viscous_support.hpp"
 
-namespace tanktread::membrane::test {
+namespace tanktread::membrane::test::strain_rates_exact_test {
 namespace {
 
 class StrainRatesExactAt : public StrainRatesAt {};
@@ -164,4 +164,4 @@ TEST(StrainRates, TheForceIsTheLimitOfTheLawWithoutItsSprings) {
 }
 
 }  // namespace
-}  // namespace tanktread::membrane::test
+}  // namespace tanktread::membrane::test::strain_rates_exact_test

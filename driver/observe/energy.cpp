@@ -1,4 +1,4 @@
-#include "driver/run/energy.hpp"
+#include "driver/observe/energy.hpp"
 
 #include <fmt/format.h>
 

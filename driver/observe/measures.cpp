@@ -1,4 +1,4 @@
-#include "driver/run/measures.hpp"
+#include "driver/observe/measures.hpp"
 
 #include <fmt/format.h>
 

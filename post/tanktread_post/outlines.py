@@ -1,4 +1,4 @@
-"""Outlines: the curves in which the shear plane through the centroid cuts a membrane, from its files or from measured/outlines.csv."""
+"""Outlines: the curves in which the shear plane through the centroid cuts a membrane, from the files of a run or from a table that a case keeps."""
 
 import csv
 import dataclasses
@@ -8,10 +8,10 @@ import pathlib
 
 import numpy
 
-from tanktread_post import series, vtk_surfaces
-from tanktread_post.observables import Observables
-from tanktread_post.reference import number_in, read_table
-from tanktread_post.run_folder import read_echo
+from . import series, vtk_surfaces
+from .observables import Observables
+from .reference import number_in, read_table
+from .run_folder import read_echo
 
 HEADER = ("run", "shear_time", "curve", "along_flow", "along_gradient")
 MARKER = -1  # number of the "curve" that is the marker's place
@@ -82,7 +82,7 @@ def read_outline(directory, shear_time, tolerance=0.1):
 
 
 def table_of(outlines):
-    """The text of measured/outlines.csv."""
+    """The text of a table of outlines."""
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
     writer.writerow(HEADER)
@@ -95,7 +95,7 @@ def table_of(outlines):
 
 
 def read_kept(file):
-    """{(run, shear time): Outline} of measured/outlines.csv; nothing where there is no such file."""
+    """{(run, shear time): Outline} of such a table; nothing where there is no such file."""
     if not pathlib.Path(file).is_file():
         return {}
     curves = {}

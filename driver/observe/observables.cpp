@@ -1,4 +1,4 @@
-#include "driver/run/observables.hpp"
+#include "driver/observe/observables.hpp"
 
 #include <fmt/format.h>
 
