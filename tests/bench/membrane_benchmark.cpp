@@ -1,5 +1,5 @@
-// What a step of a membrane of 1280 and of 5120 triangles costs, without and with membrane viscosity, and what
-// the energies beside its elastic law add.
+// What a step of a membrane of 1280 and of 5120 triangles costs, without and with membrane viscosity, and
+// what the energies beside its elastic law add.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
