@@ -19,7 +19,8 @@ struct CornerForces {
 
 /// Of a tension and of a pressure inwards: the gradient of the area by corner k is (n x edge k)/2, that of
 /// the volume by a node the sum of A n/3 over its triangles.
-CornerForces area_forces(const Triangle& t, double tension, double pressure) {
+__attribute__((always_inline)) inline CornerForces area_forces(const Triangle& t, double tension,
+                                                               double pressure) {
   const double half = -0.5 * tension;
   const LaneVector push = pressure / 3.0 * t.area * t.normal;
   return {half * t.normal.cross(t.edge0) - push, half * t.normal.cross(t.edge1) - push,
@@ -32,8 +33,9 @@ CornerForces area_forces(const Triangle& t, double tension, double pressure) {
 ///   [(m_k - m_k+1) cot k+2 + (m_k - m_k+2) cot k+1]/4 at corner k.
 /// - w angle d(length) is w angle/length times the edge, half of it by either of the two triangles.
 /// @param m0, m1, m2 of the corners @param ratio0, ratio1, ratio2 angle over length of the edges
-void add_curvature_forces(const Triangle& t, double m0, double m1, double m2, double ratio0, double ratio1,
-                          double ratio2, CornerForces& forces) {
+__attribute__((always_inline)) inline void add_curvature_forces(const Triangle& t, double m0, double m1,
+                                                                double m2, double ratio0, double ratio1,
+                                                                double ratio2, CornerForces& forces) {
   const double by_area = -0.125 / t.area;  // a fourth of that of the cotangents
   const double push0 = (m1 - m2) * by_area * t.edge1.dot(t.edge2);
   const double push1 = (m2 - m0) * by_area * t.edge2.dot(t.edge0);
@@ -76,7 +78,8 @@ void MeasuredSurface::find_corner_forces(const MeasureDerivatives& derivatives, 
       ratio2[i] = ratio[edge[2][i]];
     }
   }
-  // Without curvature all of it is zero; a loop of its own would save little.
+  // Without curvature all of it is zero; a loop of its own would save little. What the loop calls is inlined
+  // always, without which it is no loop of vectors.
   const double pressure = derivatives.volume;
 #pragma omp simd
   for (int i = 0; i < n_lanes; ++i) {
