@@ -9,7 +9,7 @@
 namespace tanktread::membrane {
 
 /// Triangles, and edges, are computed in blocks of this size, whatever the number of threads. A block that is
-/// not full repeats its last one. Of 16, 32 and 64 this is the fastest: what a block needs stays near.
+/// not full repeats its last one. Steps with blocks of 8 and of 32 cost the same to a few hundredths.
 inline constexpr int n_lanes = 16;
 
 struct alignas(64) Lanes : std::array<double, n_lanes> {};
