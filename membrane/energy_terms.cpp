@@ -44,7 +44,7 @@ void EnergyTerms::add_forces(const Eigen::Matrix3Xd& positions, Eigen::Ref<Eigen
   const auto& measures = surface_.measure(positions, any_depends_on_curvature_);
   derivatives_.set_zero();
   for (const auto& term : terms_) term->add_derivatives(measures, derivatives_);
-  surface_.add_forces(positions, derivatives_, force);
+  surface_.add_forces(derivatives_, force);
 }
 
 void EnergyTerms::add_forces_of(std::size_t k, const Eigen::Matrix3Xd& positions,
@@ -53,7 +53,7 @@ void EnergyTerms::add_forces_of(std::size_t k, const Eigen::Matrix3Xd& positions
   const auto& measures = surface_.measure(positions, term.depends_on_curvature());
   derivatives_.set_zero();
   term.add_derivatives(measures, derivatives_);
-  surface_.add_forces(positions, derivatives_, force);
+  surface_.add_forces(derivatives_, force);
 }
 
 }  // namespace tanktread::membrane

@@ -59,18 +59,15 @@ class EnergyTerms {
   void measure_block(const Eigen::Matrix3Xd& positions, int block) {
     surface_.measure_triangles(positions, block);
   }
-  void measure_edges(const Eigen::Matrix3Xd& positions, int block) {
-    surface_.measure_edges(positions, block);
-  }
-  void measure_node(int node) {
-    if (any_depends_on_curvature_) surface_.measure_node(node);
+  void measure_edges(int block) { surface_.measure_edges(block); }
+  void measure_nodes(int begin, int end) {
+    if (any_depends_on_curvature_) surface_.measure_nodes(begin, end);
   }
   /// All together: the derivatives of the terms.
   void derive();
-  /// @param corner_force what is added into, a column a corner
-  void add_corner_forces(const Eigen::Matrix3Xd& positions, int block, Eigen::Matrix3Xd& corner_force) const {
-    surface_.add_corner_forces(positions, derivatives_, block, corner_force);
-  }
+  /// The forces on the corners of a block of triangles, and their sum at a node.
+  void find_corner_forces(int block) { surface_.find_corner_forces(derivatives_, block); }
+  Eigen::Vector3d node_force(Eigen::Index node) const { return surface_.node_force(node); }
 
  private:
   std::vector<std::string> names_;

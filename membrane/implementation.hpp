@@ -127,10 +127,10 @@ struct Membrane::Implementation {
       terms->measure_block(positions, block);
   }
 
-  /// Adds the forces of the energy terms on the corners of its elements.
-  void add_term_forces(Eigen::Index number) {
+  /// Finds the forces of the energy terms on the corners of its elements.
+  void find_term_forces(Eigen::Index number) {
     for (int block = first_term_block(number); block < first_term_block(number + 1); ++block)
-      terms->add_corner_forces(positions, block, corner_force);
+      terms->find_corner_forces(block);
   }
 
   /// The blocks of the energy terms are smaller, and some of them make one of elements.

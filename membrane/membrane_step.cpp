@@ -124,8 +124,11 @@ void advance(std::span<const MembraneStep> steps) {
     return [&, at_once](std::size_t k, Eigen::Index begin, Eigen::Index end) {
       auto& self = *membranes[k];
       if (!steps[k].force || is_at_once(steps[k]) != at_once) return;
-      for (Eigen::Index node = begin; node < end; ++node)
-        steps[k].force->col(node) = self.corners_of_node.sum(self.corner_force, node);
+      for (Eigen::Index node = begin; node < end; ++node) {
+        Eigen::Vector3d force = self.corners_of_node.sum(self.corner_force, node);
+        if (self.terms) force += self.terms->node_force(node);
+        steps[k].force->col(node) = force;
+      }
     };
   };
 
@@ -143,12 +146,11 @@ void advance(std::span<const MembraneStep> steps) {
 
   const auto measure_edges = [&](std::size_t k, Eigen::Index begin, Eigen::Index end) {
     auto& self = *membranes[k];
-    for (auto block = static_cast<int>(begin); block < end; ++block)
-      self.terms->measure_edges(self.positions, block);
+    for (auto block = static_cast<int>(begin); block < end; ++block) self.terms->measure_edges(block);
   };
   const auto measure_nodes = [&](std::size_t k, Eigen::Index begin, Eigen::Index end) {
-    if (!has_terms(steps[k])) return;
-    for (auto node = static_cast<int>(begin); node < end; ++node) membranes[k]->terms->measure_node(node);
+    if (has_terms(steps[k]))
+      membranes[k]->terms->measure_nodes(static_cast<int>(begin), static_cast<int>(end));
   };
   const auto derive = [&](std::size_t k, Eigen::Index begin, Eigen::Index end) {
     if (begin < end && has_terms(steps[k])) membranes[k]->terms->derive();
@@ -162,7 +164,7 @@ void advance(std::span<const MembraneStep> steps) {
       } else {
         self.elastic_corner_forces(block, self.corner_force);
       }
-      if (self.terms) self.add_term_forces(block);
+      if (self.terms) self.find_term_forces(block);
     }
   };
   team.work(Part{edge_blocks, measure_edges}, Part{nodes, measure_nodes}, Part{whole, derive},

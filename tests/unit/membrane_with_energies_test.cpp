@@ -22,8 +22,8 @@ std::unique_ptr<EnergyTerms> terms_of(const TriangleMesh& mesh, int threads = 1)
   return std::make_unique<EnergyTerms>(mesh, one_of_each(), threads);
 }
 
-// Both are put together at the corners of a node: some 20 roundings at six corners, which carry up to ten
-// times the force of a node.
+// Both are sums over the corners of a node: some 20 roundings at six corners, which carry up to ten times the
+// force of a node.
 TEST(MembraneWithEnergies, AddsTheForcesOfTheTermsToThoseOfTheLaws) {
   const auto sphere = icosphere(2, 2);
   const auto positions = randomly_moved(sphere.points, 0.05, 3);
