@@ -154,7 +154,7 @@ def _outlines(output, times, file):
             for curve in one.curves:
                 axes.fill(*curve.T, facecolor="#d8504a", edgecolor="#7c1d1a", alpha=0.75)
             axes.plot(*one.marker, "o", color="#000000", markersize=5)
-            axes.set(xlim=(-1.9, 1.9), ylim=(-1.9, 1.9), aspect="equal", title=f"$g t$ = {one.shear_time:g}")
+            axes.set(xlim=(-2.2, 2.2), ylim=(-2.2, 2.2), aspect="equal", title=f"$g t$ = {one.shear_time:g}")
         row[0].set_ylabel(run)
     return save(figure, file)
 
