@@ -44,6 +44,10 @@ def build_parser():
     command.add_argument("--shear-time", type=_number, help="which moment (default: the last)")
     command.add_argument("--file", type=pathlib.Path, help="where to (default: capsule.png in the output directory)")
 
+    command = add("strip", _strip, "strip.png: the membrane at several times, side by side, smooth and shaded (without a display: xvfb-run)", None)
+    command.add_argument("--shear-times", type=_number, nargs="+", required=True, metavar="SHEAR_TIME", help="which moments")
+    command.add_argument("--file", type=pathlib.Path, help="where to (default: strip.png in the output directory)")
+
     add("snapshots", _snapshots, "snapshots.png: the moments of a case's runs that its compare.toml lists", True)
 
     command = add("measure", _measure, "adds a finished run to measured/results.csv of its case", True)
@@ -99,6 +103,12 @@ def _render(arguments):
     from . import render
 
     return _said([render.render(arguments.output, arguments.field, arguments.shear_time, arguments.file)])
+
+
+def _strip(arguments):
+    from . import strip
+
+    return _said([strip.draw(arguments.output, arguments.shear_times, arguments.file)])
 
 
 def _snapshots(arguments):

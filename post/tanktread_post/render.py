@@ -28,7 +28,8 @@ def _require_display():
         raise InputError("drawing needs a display, and there is none; put `xvfb-run -a` before the command")
 
 
-def _read(reader, file):
+def read(reader, file):
+    """What a reader of VTK finds in a file of a series."""
     if not file.is_file():
         raise InputError(f"{file}: the series names this file, and it is not there")
     data = read_by(reader, file)
@@ -37,7 +38,7 @@ def _read(reader, file):
     return data
 
 
-def _look_along_vorticity(renderer, axes, bounds):
+def look_along_vorticity(renderer, axes, bounds):
     """Turns the camera to the shear plane: flow to the right, gradient up, a little from the side and from above."""
     flow_axis, wall_axis = axes
     right, up = numpy.eye(3)[flow_axis], numpy.eye(3)[wall_axis]
@@ -64,12 +65,24 @@ def _caption(text):
     return actor
 
 
-def _write_picture(renderer, file):
+def picture_place(file):
+    """The file that a picture is to be written to, if it can be, and drawn at all."""
+    file = pathlib.Path(file)
+    if file.suffix.lower() != ".png":
+        raise InputError(f"{file}: a picture is a PNG; its name must end with .png")
+    whole_file.require_place(file, force=True)
+    _require_display()
+    return file
+
+
+def write_picture(renderers, file, size):
+    """Draws renderers in a window of that size (pixels) that nobody sees, as a PNG."""
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
-    window.SetSize(WIDTH, HEIGHT)
-    window.AddRenderer(renderer)
+    window.SetSize(*size)
+    for renderer in renderers:
+        window.AddRenderer(renderer)
     window.Render()
     picture = vtkWindowToImageFilter()
     picture.SetInput(window)
@@ -91,17 +104,13 @@ def render(output, field="area_ratio", shear_time=None, file=None):
     output = pathlib.Path(output)
     if not output.is_dir():
         raise InputError(f"{output}: there is no such folder; give the output directory of a run")
-    file = pathlib.Path(file) if file else output / "capsule.png"
-    if file.suffix.lower() != ".png":
-        raise InputError(f"{file}: a picture is a PNG; its name must end with .png")
-    whole_file.require_place(file, force=True)
-    _require_display()
+    file = picture_place(file or output / "capsule.png")
     case = read_echo(output)
     axes = [scene.AXES.index(case["flow"][key]) for key in ("flow_axis", "wall_axis")]
     entry = series.at(output / "membrane.pvd", shear_time)
     if entry is None:
         raise InputError(f"{output}/membrane.pvd: there is nothing to draw (output.membrane_every is 0?)")
-    surface = _read(vtkXMLUnstructuredGridReader(), entry[1])
+    surface = read(vtkXMLUnstructuredGridReader(), entry[1])
     renderer = vtkRenderer()
     renderer.SetBackground(1, 1, 1)
     actors, table = scene.membrane(surface, field)
@@ -110,7 +119,7 @@ def render(output, field="area_ratio", shear_time=None, file=None):
 
     flow_entry = series.shown_at(output / "fluid.pvd", entry[0])
     if flow_entry is not None:
-        grid = _read(vtkXMLImageDataReader(), flow_entry[1])
+        grid = read(vtkXMLImageDataReader(), flow_entry[1])
         vorticity_axis = 3 - sum(axes)
         low, high = grid.GetBounds()[2 * vorticity_axis : 2 * vorticity_axis + 2]
         middle = min(max(sum(bounds[2 * vorticity_axis : 2 * vorticity_axis + 2]) / 2, low), high)
@@ -124,6 +133,6 @@ def render(output, field="area_ratio", shear_time=None, file=None):
     renderer.AddActor2D(_caption(f"shear time {entry[0]:.2f}"))
     lights = vtkLightKit()
     lights.AddLightsToRenderer(renderer)
-    _look_along_vorticity(renderer, axes, bounds)
-    _write_picture(renderer, file)
+    look_along_vorticity(renderer, axes, bounds)
+    write_picture([renderer], file, (WIDTH, HEIGHT))
     return file

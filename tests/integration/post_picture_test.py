@@ -139,6 +139,35 @@ class Picture(InFolder):
     def test_refuses_a_field_that_is_not_there(self):
         self.assert_refused(["'strain'", "area_ratio"], self.render, field="strain")
 
+    def test_a_strip_has_a_panel_a_time(self):
+        from tanktread_post import strip
+
+        output = self.folder / "out"
+        write_run(output, width=12, radius=3.0)
+        write_pictures(output, fluid=False)
+        picture = matplotlib.image.imread(strip.draw(output, [0.0, 1.0, 3.0]))[..., :3]
+        self.assertEqual(picture.shape, (420, 3 * 420, 3))
+        for k in range(3):
+            panel = picture[:, 420 * k : 420 * (k + 1)]
+            red = (panel[..., 0] > panel[..., 1] + 0.15) & (panel[..., 0] > panel[..., 2] + 0.15)
+            # An octahedron with corners at one radius, of which the smooth surface is about half as wide, in a frame 3.5 radii wide.
+            self.assertTrue(0.01 < red.mean() < 0.3, red.mean())
+            self.assertTrue(red[210, 210])
+            self.assertEqual(panel[5, 5].tolist(), [1.0, 1.0, 1.0])
+
+    def test_a_strip_is_of_one_capsule_that_is_there(self):
+        from tanktread_post import strip
+
+        output = self.folder / "out"
+        self.assert_refused(["there is no such folder"], strip.draw, output, [1.0])
+        write_run(output, width=12, radius=3.0)
+        self.assert_refused(["cells.txt: a picture is a PNG"], strip.draw, output, [1.0], self.folder / "cells.txt")
+        write_series(output / "membrane.pvd", [])
+        self.assert_refused(["there is nothing to draw"], strip.draw, output, [1.0])
+        with open(output / "echo.toml", "a") as stream:
+            stream.write("[[capsule]]\nradius = 3.0\n[capsule.membrane]\n")
+        self.assert_refused(["2 capsules"], strip.draw, output, [1.0])
+
 
 if __name__ == "__main__":
     unittest.main()
