@@ -11,6 +11,7 @@ tanktread_test(membrane_unit
     unit/membrane_element_test.cpp
     unit/membrane_law_force_test.cpp
     unit/membrane_surface_test.cpp
+    unit/membrane_surface_check_test.cpp
     unit/membrane_step_test.cpp
     unit/membrane_begin_at_test.cpp
     unit/membrane_mesh_test.cpp
