@@ -49,7 +49,7 @@ class Reference(unittest.TestCase):
 
 
 class Analysis(InFolder):
-    def vesicle_of(self, name, level, error, kappa_b=0.01, size=4.0, place=(20, 20, 20)):
+    def vesicle_of(self, name, level, error, kappa_b=0.01, size=4.0, place=(20, 20, 20), speed=0.001):
         """A finished vesicle of the theory's shape, whose energy is wrong by a share."""
         folder = self.folder / f"{name}-{level}"
         for part in ("drag", "energy"):
@@ -63,7 +63,7 @@ class Analysis(InFolder):
         theory = vesicle.theory_energy(CASE, branch, volume / (4 * math.pi / 3 * (area / (4 * math.pi)) ** 1.5))
         (folder / "energy/energy.csv").write_text(f"step,bending_energy\n0,{8 * math.pi * kappa_b * theory * (1 + error)!r}\n")
         (folder / "energy/parameters.toml").write_text(f"[[capsule]]\nbending_modulus = {kappa_b}\n")
-        (folder / "drag/drag.csv").write_text("step,speed\n0,1.0\n20,0.001\n")
+        (folder / "drag/drag.csv").write_text(f"step,elastic_energy,speed\n0,1.0,1.0\n20,{8 * math.pi * kappa_b * theory * (1 + error) * 1e-4!r},{speed}\n")
 
     def read(self, name):
         return vesicle.read_vesicles(self.folder, CASE)[name]
@@ -75,6 +75,7 @@ class Analysis(InFolder):
         self.assertAlmostEqual(one.error, 0.02, delta=1e-12)
         self.assertAlmostEqual(other.error, -0.01, delta=1e-12)
         self.assertEqual((one.level, one.speed), (3, 0.001))
+        self.assertAlmostEqual(one.law, 1e-4, delta=1e-16)
         # Chords of 48 sectors and 60 steps enclose (2 pi/48)^2/6 + (pi/60)^2/6 less volume at most: 0.4 %.
         self.assertAlmostEqual(one.reduced_volume, 0.65, delta=0.004 * 0.65)
 
@@ -90,9 +91,25 @@ class Analysis(InFolder):
                 self.setUp()
                 for level in (2, 3):
                     self.vesicle_of("oblate-0.65", level, end - 0.5 * 4.0**-level)
-                self.assertAlmostEqual(vesicle.limit(self.read("oblate-0.65")), end, delta=1e-12)
+                self.assertAlmostEqual(vesicle.limit(self.read("oblate-0.65"), 0.03), end, delta=1e-12)
                 found, text = said(case_results.judge, self.folder, CASE)
                 self.assertEqual((found, text.count("OUTSIDE"), text.count("inside")), (code, code, 1 - code))
+
+    def test_one_that_moves_is_not_judged_but_named(self):
+        for speed, code in ((0.0299, 0), (0.0301, 1), (math.nan, 1)):
+            with self.subTest(speed=speed):
+                self.setUp()
+                self.vesicle_of("oblate-0.65", 2, 0.0)
+                self.vesicle_of("oblate-0.65", 3, 0.0, speed=speed)
+                self.assertEqual(vesicle.limit(self.read("oblate-0.65"), 0.03) is None, code == 1)
+                found, text = said(case_results.judge, self.folder, CASE)
+                self.assertEqual((found, text.count("NOT AT REST"), text.count("inside")), (code, code, 1 - code))
+                self.assertEqual("not finished, a node is faster than 0.03: oblate-0.65 with 1280 triangles" in text, code == 1)
+                self.assertIn("not run yet, or gone wrong: oblate-0.80, ", text)
+
+    def test_script_and_comparison_ask_for_the_same_speed(self):
+        (line,) = [line for line in (CASE / "run.sh").read_text().splitlines() if line.startswith("still=")]
+        self.assertEqual(float(line.split()[0].removeprefix("still=")), reference.read_comparison(CASE)["analyse"]["still"])
 
     def test_one_mesh_is_not_judged_and_none_is_refused(self):
         self.assert_refused(["no finished vesicle"], vesicle.read_vesicles, self.folder, CASE)
