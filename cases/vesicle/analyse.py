@@ -16,7 +16,8 @@ from tanktread_post.vesicle_shapes import shape
 # band: the largest difference of an energy. still: the greatest speed of a node, a/(mu_o a^3/kappa_b), of a vesicle at rest; run.sh ends a round there.
 # A drag takes up what the energy gives, -dE/dt = zeta times the integral of u^2, at most zeta A still^2 = 4 pi R^2 still^2 in units of kappa_b over that of
 # time: a share (R/a)^2 still^2/(2 e) of E = 8 pi kappa_b e. With (R/a)^2 = v^(-2/3) <= 1.5 (v >= 0.55), e >= 1.1 and still = 0.03 that is 6e-4 a unit of
-# time. What is left to fall is the share over twice the slowest rate, which is 3 to 6 here (the speeds of the rounds): 1e-4, a hundredth of the band.
+# time. What is left to fall is that over twice the slowest rate, which is 8 and more here, 3 without the law (the speeds of drag.csv): 1e-4 at most, a
+# hundredth of the band.
 SETTINGS = (("band", "still"), ())
 BRANCHES = ("oblate", "prolate", "stomatocyte")
 
@@ -28,6 +29,7 @@ class Vesicle:
     shape: str
     branch: str
     level: int
+    n_triangles: int  # of its mesh
     reduced_volume: float
     energy: float
     theory: float  # the energy of its branch at its reduced volume
@@ -76,7 +78,7 @@ def read_vesicle(case, folder, row, level):
     file, end = folder / "drag/drag.csv", read_table(folder / "drag/drag.csv")[-1]
     speed, of_law = (number_in(file, name, end) for name in ("speed", "elastic_energy"))
     points = (surface.points - centroid) / math.sqrt(area / (4 * math.pi))
-    return Vesicle(row["shape"], row["branch"], level, v, energy, theory_energy(case, row["branch"], v), speed, of_law / (8 * math.pi * kappa_b * energy), points)
+    return Vesicle(row["shape"], row["branch"], level, len(surface.cells_dict["triangle"]), v, energy, theory_energy(case, row["branch"], v), speed, of_law / (8 * math.pi * kappa_b * energy), points)
 
 
 def read_vesicles(output, case):
@@ -97,7 +99,7 @@ def limit(vesicles, still):
     if len(vesicles) < 2 or not all(at_rest(one, still) for one in vesicles[-2:]):
         return None
     coarse, fine = vesicles[-2:]
-    return fine.error + (fine.error - coarse.error) / (4.0 ** (fine.level - coarse.level) - 1)
+    return fine.error + (fine.error - coarse.error) / (fine.n_triangles / coarse.n_triangles - 1)
 
 
 def meridian(vesicle):
@@ -127,10 +129,10 @@ def tables(output, case):
     for vesicles in found.values():
         for one in vesicles:
             moves = not at_rest(one, still)
-            of_it = (one.shape, f"{20 * 4**one.level}", f"{one.reduced_volume:.4f}", f"{one.energy:.4f}", f"{one.theory:.4f}", shown(one.error, True))
+            of_it = (one.shape, f"{one.n_triangles}", f"{one.reduced_volume:.4f}", f"{one.energy:.4f}", f"{one.theory:.4f}", shown(one.error, True))
             rows.append((*of_it, f"{one.law:.1e}", f"{one.speed:.1e}", "NOT AT REST" if moves else ""))
             if moves:
-                not_finished.append(f"{one.shape} with {20 * 4**one.level} triangles")
+                not_finished.append(f"{one.shape} with {one.n_triangles} triangles")
                 verdicts.append(False)
         end = limit(vesicles, still)
         if end is not None:
@@ -158,7 +160,7 @@ def draw_energies(found, output, case):
     every = [one for vesicles in found.values() for one in vesicles]
     for level, marker in zip(sorted({one.level for one in every}), "xosd^v"):
         points = [(one.reduced_volume, one.energy) for one in every if one.level == level]
-        axes.plot(*zip(*points), marker, color="black", markerfacecolor="none", label=f"{20 * 4**level} triangles")
+        axes.plot(*zip(*points), marker, color="black", markerfacecolor="none", label=f"{20 * 4**level} triangles, or about as many")
     axes.legend(frameon=False)
     return plot.save(figure, pathlib.Path(output) / "energies.png")
 
@@ -174,7 +176,7 @@ def draw_shapes(found, output):
         axes.plot([*r, *-r[::-1]], [*z, *z[::-1]], color=colour)
         axes.plot(numpy.hypot(one.points[:, 0], one.points[:, 1]) * numpy.where(one.points[:, 0] < 0, -1, 1), one.points[:, 2], ".", color="black", markersize=2)
         axes.set_aspect("equal")
-        axes.set_title(f"{one.branch}, v = {one.reduced_volume:.4f}, {20 * 4**one.level} triangles")
+        axes.set_title(f"{one.branch}, v = {one.reduced_volume:.4f}, {one.n_triangles} triangles")
     for axes in panels.flat[len(found) :]:
         axes.set_visible(False)
     return plot.save(figure, pathlib.Path(output) / "shapes.png")
@@ -185,5 +187,5 @@ def measured(output, case):
     for vesicles in read_vesicles(output, case).values():
         for one in vesicles:
             numbers = (one.reduced_volume, one.energy, one.theory, one.error, distance(one), one.law)
-            lines.append(",".join([one.shape, one.branch, str(20 * 4**one.level), *(f"{n:.6f}" for n in numbers), f"{one.speed:.3g}"]))
+            lines.append(",".join([one.shape, one.branch, str(one.n_triangles), *(f"{n:.6f}" for n in numbers), f"{one.speed:.3g}"]))
     return {"energies.csv": "\n".join(lines) + "\n"}

@@ -33,14 +33,17 @@ come_to_rest() {
 }
 
 code=0
-while IFS=, read -r shape branch v ratio modulus area volume; do
+while IFS=, read -r shape branch v ratio modulus area volume coarsest; do
   if [[ $shape == \#* || $shape == shape || ($wanted != "  " && $wanted != *" $shape "*) ]]; then continue; fi
   for level in $levels; do
     folder=$output/$shape-$level
-    if [ -f "$folder/energy/energy.csv" ]; then continue; fi
+    if [ -f "$folder/energy/energy.csv" ] || [ "$level" -lt "$coarsest" ]; then continue; fi
     rm -rf "$folder" && mkdir "$folder"
-    tanktread mesh spheroid --level "$level" --aspect-ratio "$ratio" "$folder/start.vtu" >/dev/null
-    if [ "$branch" = stomatocyte ]; then /usr/bin/python3 "$here/cup.py" "$folder/start.vtu" "$folder/start.vtu" "$v"; fi
+    if [ "$branch" = stomatocyte ]; then
+      /usr/bin/python3 "$here/cup.py" "$folder/start.vtu" "$level" "$v"
+    else
+      tanktread mesh spheroid --level "$level" --aspect-ratio "$ratio" "$folder/start.vtu" >/dev/null
+    fi
     echo "$shape, level $level"
     if ! come_to_rest "$folder" --set "capsule.0.mesh={file=\"$folder/start.vtu\"}" --set membrane.reference_area="$area" \
       --set membrane.reference_volume="$volume" --set membrane.local_area_modulus="$modulus" --set membrane.volume_modulus="$modulus"; then

@@ -65,6 +65,11 @@ void set_normals(CapsuleMembrane& membrane, const Eigen::Matrix3Xd& positions) {
                   capsule, solution.n_iterations, solution.error, velocity_tolerance));
 }
 
+bool has_bending(const CapsuleMembrane& membrane) {
+  const auto names = membrane.term_names();
+  return std::ranges::find(names, "bending") != names.end();
+}
+
 /// @throws InvertedElement that names the capsule
 void check_surface(membrane::SurfaceCheck& check, const Eigen::Matrix3Xd& positions, std::size_t capsule) {
   try {
@@ -91,13 +96,16 @@ DragMotion::DragMotion(const Case& the_case, const Parameters& parameters, const
     const auto& triangles = membranes_[k].reference().triangles;
     const auto& capsule = parameters.capsules[k];
     drag_.emplace_back(triangles, drag * parameters.kinematic_viscosity / capsule.radius);
-    checks_.emplace_back(triangles);
     disturbance_.push_back(first_disturbance(membranes_[k].n_nodes()));
     if (capsule.viscous && !is_implicit(*capsule.viscous)) {
       springs_[k].emplace_back(triangles, membranes_[k].n_nodes(), capsule.viscous->shear_spring,
                                capsule.viscous->dilatational_spring, membrane::RatesAt::elements,
                                the_case.run.threads);
     }
+  }
+  for (const auto& membrane : membranes_) {
+    checks_.emplace_back();
+    if (has_bending(membrane)) checks_.back().emplace_back(membrane.reference().triangles);
   }
   velocity_ = zero_like(positions_of(membranes_));
 }
@@ -118,7 +126,8 @@ void DragMotion::start_at(const NodeVectors& positions) {
 
 void DragMotion::settle(const NodeVectors& positions, std::int64_t step) {
   const auto force = nodal_forces(membranes_, positions, velocity_, step);
-  for (std::size_t k = 0; k < membranes_.size(); ++k) check_surface(checks_[k], positions[k], k);
+  for (std::size_t k = 0; k < membranes_.size(); ++k)
+    for (auto& check : checks_[k]) check_surface(check, positions[k], k);
   for (std::size_t k = 0; k < membranes_.size(); ++k) {
     drag_[k].set_positions(positions[k]);
     const auto solution = solve(k, force[k], velocity_tolerance, velocity_[k]);
