@@ -11,7 +11,6 @@ tanktread_test(membrane_unit
     unit/membrane_element_test.cpp
     unit/membrane_law_force_test.cpp
     unit/membrane_surface_test.cpp
-    unit/membrane_surface_check_test.cpp
     unit/membrane_step_test.cpp
     unit/membrane_begin_at_test.cpp
     unit/membrane_mesh_test.cpp
@@ -34,6 +33,7 @@ tanktread_test(membrane_unit
     unit/membrane_end_loads_test.cpp
     unit/membrane_orientation_test.cpp
     unit/membrane_node_drag_test.cpp
+    unit/membrane_surface_check_test.cpp
   LIBRARIES membrane_test_support)
 tanktread_test(membrane_verification
   SOURCES
