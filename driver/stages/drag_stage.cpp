@@ -25,8 +25,8 @@ namespace {
 constexpr double steps_in_highest_rate = 0.5;
 /// Of a mean edge, that a node may move in a step at the speed it has (SurfaceCheck counts on it).
 constexpr double longest_step_in_edges = 0.1;
-/// Steps of one length. A trial costs some six steps; a membrane that comes to its crowded nodes meanwhile
-/// has its rate grown by as much as steps are shorter than what is stable, four times, in more than that.
+/// After so many steps their length is found anew. A trial costs about six steps. Steps stay stable while the
+/// rate grows by less than four times; a stomatocyte's grew by half in some thousand.
 constexpr std::int64_t steps_in_trial = 100;
 
 bool is_explicit(const CapsuleParameters& capsule) {
