@@ -33,6 +33,7 @@ tanktread_test(membrane_unit
     unit/membrane_end_loads_test.cpp
     unit/membrane_orientation_test.cpp
     unit/membrane_node_drag_test.cpp
+    unit/membrane_surface_check_test.cpp
   LIBRARIES membrane_test_support)
 tanktread_test(membrane_verification
   SOURCES

@@ -13,21 +13,28 @@ from tanktread_post.run_folder import read_parameters
 from tanktread_post.table import Table, shown
 from tanktread_post.vesicle_shapes import shape
 
-SETTINGS = (("band",), ())  # largest difference of an energy
+# band: the largest difference of an energy. still: the greatest speed of a node, a/(mu_o a^3/kappa_b), of a vesicle at rest; run.sh ends a round there.
+# A drag takes up what the energy gives, -dE/dt = zeta times the integral of u^2, at most zeta A still^2 = 4 pi R^2 still^2 in units of kappa_b over that of
+# time: a share (R/a)^2 still^2/(2 e) of E = 8 pi kappa_b e. With (R/a)^2 = v^(-2/3) <= 1.5 (v >= 0.55), e >= 1.1 and still = 0.03 that is 6e-4 a unit of
+# time. What is left to fall is that over twice the slowest rate, which is 8 and more here, 3 without the law (the speeds of drag.csv): 1e-4 at most, a
+# hundredth of the band.
+SETTINGS = (("band", "still"), ())
 BRANCHES = ("oblate", "prolate", "stomatocyte")
 
 
 @dataclasses.dataclass(frozen=True)
 class Vesicle:
-    """A vesicle at rest on the mesh of a level. Energies over 8 pi kappa_b; points in units of the radius of the sphere of its area, from its centroid."""
+    """A vesicle on the mesh of a level, as its last round ended. Energies over 8 pi kappa_b; points in units of the radius of the sphere of its area, from its centroid."""
 
     shape: str
     branch: str
     level: int
+    n_triangles: int  # of its mesh
     reduced_volume: float
     energy: float
     theory: float  # the energy of its branch at its reduced volume
-    speed: float  # of its fastest node, a^3 mu/kappa_b = 1
+    speed: float  # of its fastest node at the end, in a and mu_o a^3/kappa_b
+    law: float  # energy of the law over that of bending
     points: numpy.ndarray
 
     @property
@@ -47,6 +54,11 @@ def theory_energy(case, branch, reduced_volume):
     raise InputError(f"{file}: it has no {branch} of the reduced volume {reduced_volume:.5f}")
 
 
+def at_rest(vesicle, still):
+    """Whether its fastest node is no faster; not a number is not at rest."""
+    return vesicle.speed <= still
+
+
 def measures(points, triangles):
     """(area, volume, centroid of the volume) of a closed surface."""
     a, b, c = (points[triangles[:, k]] for k in range(3))
@@ -63,9 +75,10 @@ def read_vesicle(case, folder, row, level):
     (at_rest,) = read_table(folder / "energy/energy.csv")
     kappa_b = read_parameters(folder / "energy")["capsule"][0]["bending_modulus"]
     energy = number_in(folder / "energy/energy.csv", "bending_energy", at_rest) / (8 * math.pi * kappa_b)
-    speed = number_in(folder / "drag/drag.csv", "speed", read_table(folder / "drag/drag.csv")[-1])
+    file, end = folder / "drag/drag.csv", read_table(folder / "drag/drag.csv")[-1]
+    speed, of_law = (number_in(file, name, end) for name in ("speed", "elastic_energy"))
     points = (surface.points - centroid) / math.sqrt(area / (4 * math.pi))
-    return Vesicle(row["shape"], row["branch"], level, v, energy, theory_energy(case, row["branch"], v), speed, points)
+    return Vesicle(row["shape"], row["branch"], level, len(surface.cells_dict["triangle"]), v, energy, theory_energy(case, row["branch"], v), speed, of_law / (8 * math.pi * kappa_b * energy), points)
 
 
 def read_vesicles(output, case):
@@ -81,12 +94,12 @@ def read_vesicles(output, case):
     return found
 
 
-def limit(vesicles):
-    """Where the line in 1/triangles through the errors of the two finest meshes goes; None with one mesh."""
-    if len(vesicles) < 2:
+def limit(vesicles, still):
+    """Where the line in 1/triangles through the errors of the two finest meshes goes; None with one mesh, or if not both are at rest."""
+    if len(vesicles) < 2 or not all(at_rest(one, still) for one in vesicles[-2:]):
         return None
     coarse, fine = vesicles[-2:]
-    return fine.error + (fine.error - coarse.error) / (4.0 ** (fine.level - coarse.level) - 1)
+    return fine.error + (fine.error - coarse.error) / (fine.n_triangles / coarse.n_triangles - 1)
 
 
 def meridian(vesicle):
@@ -109,18 +122,27 @@ def distance(vesicle):
 
 
 def tables(output, case):
-    band = read_comparison(case)["analyse"]["band"]
-    rows, verdicts = [], []
-    for vesicles in read_vesicles(output, case).values():
+    settings = read_comparison(case)["analyse"]
+    band, still = settings["band"], settings["still"]
+    found = read_vesicles(output, case)
+    rows, verdicts, not_finished = [], [], []
+    for vesicles in found.values():
         for one in vesicles:
-            of_it = (one.shape, f"{20 * 4**one.level}", f"{one.reduced_volume:.4f}", f"{one.energy:.4f}", f"{one.theory:.4f}", shown(one.error, True))
-            rows.append((*of_it, f"{one.speed:.1e}", ""))
-        end = limit(vesicles)
+            moves = not at_rest(one, still)
+            of_it = (one.shape, f"{one.n_triangles}", f"{one.reduced_volume:.4f}", f"{one.energy:.4f}", f"{one.theory:.4f}", shown(one.error, True))
+            rows.append((*of_it, f"{one.law:.1e}", f"{one.speed:.1e}", "NOT AT REST" if moves else ""))
+            if moves:
+                not_finished.append(f"{one.shape} with {one.n_triangles} triangles")
+                verdicts.append(False)
+        end = limit(vesicles, still)
         if end is not None:
             verdicts.append(abs(end) <= band)
-            rows.append((vesicles[0].shape, "limit", "", "", "", shown(end, True), "", "inside" if verdicts[-1] else "OUTSIDE"))
-    header = ("vesicle", "triangles", "reduced volume", "E/(8 pi kappa_b)", "theory", "difference", "speed", "")
-    return [Table(f"bending energy of vesicles at rest; judged: the limit, to {shown(band, True, '')}", header, rows, verdicts)]
+            rows.append((vesicles[0].shape, "limit", "", "", "", shown(end, True), "", "", "inside" if verdicts[-1] else "OUTSIDE"))
+    missing = [row["shape"] for row in read_table(pathlib.Path(case) / "shapes.csv") if row["shape"] not in found]
+    named = (("not finished, a node is faster than {:g}".format(still), not_finished), ("not run yet, or gone wrong", missing))
+    header = ("vesicle", "triangles", "reduced volume", "E/(8 pi kappa_b)", "theory", "difference", "law", "speed", "")
+    title = f"bending energy of vesicles at rest; judged: the limit, to {shown(band, True, '')}. law: its energy over that of bending"
+    return [Table(title, header, rows, verdicts, after=[f"{words}: {', '.join(names)}" for words, names in named if names])]
 
 
 def pictures(output, case):
@@ -138,7 +160,7 @@ def draw_energies(found, output, case):
     every = [one for vesicles in found.values() for one in vesicles]
     for level, marker in zip(sorted({one.level for one in every}), "xosd^v"):
         points = [(one.reduced_volume, one.energy) for one in every if one.level == level]
-        axes.plot(*zip(*points), marker, color="black", markerfacecolor="none", label=f"{20 * 4**level} triangles")
+        axes.plot(*zip(*points), marker, color="black", markerfacecolor="none", label=f"{20 * 4**level} triangles, or about as many")
     axes.legend(frameon=False)
     return plot.save(figure, pathlib.Path(output) / "energies.png")
 
@@ -154,16 +176,16 @@ def draw_shapes(found, output):
         axes.plot([*r, *-r[::-1]], [*z, *z[::-1]], color=colour)
         axes.plot(numpy.hypot(one.points[:, 0], one.points[:, 1]) * numpy.where(one.points[:, 0] < 0, -1, 1), one.points[:, 2], ".", color="black", markersize=2)
         axes.set_aspect("equal")
-        axes.set_title(f"{one.branch}, v = {one.reduced_volume:.4f}, {20 * 4**one.level} triangles")
+        axes.set_title(f"{one.branch}, v = {one.reduced_volume:.4f}, {one.n_triangles} triangles")
     for axes in panels.flat[len(found) :]:
         axes.set_visible(False)
     return plot.save(figure, pathlib.Path(output) / "shapes.png")
 
 
 def measured(output, case):
-    lines = ["shape,branch,triangles,reduced_volume,energy,theory,error,distance_from_meridian,speed"]
+    lines = ["shape,branch,triangles,reduced_volume,energy,theory,error,distance_from_meridian,law_energy,speed"]
     for vesicles in read_vesicles(output, case).values():
         for one in vesicles:
-            numbers = (one.reduced_volume, one.energy, one.theory, one.error, distance(one))
-            lines.append(",".join([one.shape, one.branch, str(20 * 4**one.level), *(f"{n:.6f}" for n in numbers), f"{one.speed:.3g}"]))
+            numbers = (one.reduced_volume, one.energy, one.theory, one.error, distance(one), one.law)
+            lines.append(",".join([one.shape, one.branch, str(one.n_triangles), *(f"{n:.6f}" for n in numbers), f"{one.speed:.3g}"]))
     return {"energies.csv": "\n".join(lines) + "\n"}

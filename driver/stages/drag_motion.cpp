@@ -65,6 +65,20 @@ void set_normals(CapsuleMembrane& membrane, const Eigen::Matrix3Xd& positions) {
                   capsule, solution.n_iterations, solution.error, velocity_tolerance));
 }
 
+bool has_bending(const CapsuleMembrane& membrane) {
+  const auto names = membrane.term_names();
+  return std::ranges::find(names, "bending") != names.end();
+}
+
+/// @throws InvertedElement that names the capsule
+void check_surface(membrane::SurfaceCheck& check, const Eigen::Matrix3Xd& positions, std::size_t capsule) {
+  try {
+    check.check(positions);
+  } catch (const membrane::InvertedElement& error) {
+    throw membrane::InvertedElement(fmt::format("capsule {}: {}", capsule, error.what()));
+  }
+}
+
 double longest(const Eigen::Matrix3Xd& vectors) {
   return std::sqrt(vectors.colwise().squaredNorm().maxCoeff());
 }
@@ -89,6 +103,10 @@ DragMotion::DragMotion(const Case& the_case, const Parameters& parameters, const
                                the_case.run.threads);
     }
   }
+  for (const auto& membrane : membranes_) {
+    checks_.emplace_back();
+    if (has_bending(membrane)) checks_.back().emplace_back(membrane.reference().triangles);
+  }
   velocity_ = zero_like(positions_of(membranes_));
 }
 
@@ -108,6 +126,8 @@ void DragMotion::start_at(const NodeVectors& positions) {
 
 void DragMotion::settle(const NodeVectors& positions, std::int64_t step) {
   const auto force = nodal_forces(membranes_, positions, velocity_, step);
+  for (std::size_t k = 0; k < membranes_.size(); ++k)
+    for (auto& check : checks_[k]) check_surface(check, positions[k], k);
   for (std::size_t k = 0; k < membranes_.size(); ++k) {
     drag_[k].set_positions(positions[k]);
     const auto solution = solve(k, force[k], velocity_tolerance, velocity_[k]);
@@ -168,6 +188,8 @@ std::vector<double> DragMotion::grow_disturbance(const NodeVectors& positions, c
 
 double DragMotion::highest_rate(std::int64_t step) {
   const auto positions = positions_of(membranes_);
+  // Between two trials elements may turn as far as they like.
+  for (std::size_t k = 0; k < positions.size(); ++k) set_normals(elastic_[k], positions[k]);
   const auto force = nodal_forces(elastic_, positions, velocity_, step);
   const int n_iterations = has_grown_ ? 5 : 30;
   has_grown_ = true;

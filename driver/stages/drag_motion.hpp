@@ -10,6 +10,7 @@
 #include "driver/units/units.hpp"
 #include "membrane/node_drag.hpp"
 #include "membrane/strain_rates.hpp"
+#include "membrane/surface_check.hpp"
 
 namespace tanktread::driver {
 
@@ -34,7 +35,8 @@ class DragMotion {
 
   /// Forces and velocities at these positions: once for each, in the order of time.
   /// @param step by which the loads are on or off
-  /// @throws membrane::InvertedElement; RunError if the equations of an implicit viscosity are not solved
+  /// @throws membrane::InvertedElement, with bending also by membrane::SurfaceCheck; RunError if the
+  /// equations of an implicit viscosity are not solved
   void settle(const NodeVectors& positions, std::int64_t step);
 
   /// The nodes go on by a step of this length. settle() is to follow. @throws LongMove
@@ -62,6 +64,8 @@ class DragMotion {
   std::vector<CapsuleMembrane> membranes_;
   std::vector<CapsuleMembrane> elastic_;  ///< the same without viscosity: forces that no history is in
   std::vector<membrane::NodeDrag> drag_;
+  /// Empty for a membrane without bending: its forces know no angles, and it folds as it likes.
+  std::vector<std::vector<membrane::SurfaceCheck>> checks_;
   /// What the springs of explicit viscosities add to the forces of a disturbance: B^T B of their moduli.
   /// Empty without.
   std::vector<std::vector<membrane::StrainRates>> springs_;

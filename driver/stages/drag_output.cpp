@@ -13,6 +13,13 @@
 #include "membrane/shape.hpp"
 
 namespace tanktread::driver {
+namespace {
+
+std::string file_of(std::int64_t step) {
+  return fmt::format("membrane/membrane_{:010}.vtu", step);
+}
+
+}  // namespace
 
 DragOutput::DragOutput(std::filesystem::path directory, const Case& the_case, const Parameters& parameters,
                        const std::vector<membrane::TriangleMesh>& starts)
@@ -51,11 +58,29 @@ void DragOutput::add_row(const DragMotion& motion, std::int64_t step) const {
   exchange::append_text(directory_ / "drag.csv", rows);
 }
 
-void DragOutput::add_file(const DragMotion& motion, std::int64_t step) const {
-  const auto file = fmt::format("membrane/membrane_{:010}.vtu", step);
-  exchange::write_surface(directory_ / file, membrane_file(motion.membranes(), motion.velocity(),
-                                                           motion.force(), step, shear_time(step)));
-  exchange::append_to_series(directory_ / "membrane.pvd", {shear_time(step), file});
+DragOutput::State DragOutput::state_of(const DragMotion& motion, std::int64_t step) const {
+  return {membrane_file(motion.membranes(), motion.velocity(), motion.force(), step, shear_time(step)), step};
+}
+
+void DragOutput::write(const State& state) {
+  const auto file = file_of(state.step);
+  exchange::write_surface(directory_ / file, state.surface);
+  exchange::append_to_series(directory_ / "membrane.pvd", {shear_time(state.step), file});
+  last_written_ = state.step;
+}
+
+void DragOutput::add_file(const DragMotion& motion, std::int64_t step) {
+  write(state_of(motion, step));
+}
+
+void DragOutput::remember(const DragMotion& motion, std::int64_t step) {
+  remembered_ = state_of(motion, step);
+}
+
+std::filesystem::path DragOutput::keep_remembered() {
+  if (!remembered_) return {};
+  if (remembered_->step != last_written_) write(*remembered_);
+  return directory_ / file_of(remembered_->step);
 }
 
 double DragOutput::speed_of(const DragMotion& motion, std::size_t k) const {

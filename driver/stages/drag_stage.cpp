@@ -23,8 +23,11 @@ namespace {
 
 /// A step is stable below 2 over the highest rate, which changes while a membrane is deformed.
 constexpr double steps_in_highest_rate = 0.5;
-/// Of a mean edge, that a node may move in a step at the speed it has.
+/// Of a mean edge, that a node may move in a step at the speed it has (SurfaceCheck counts on it).
 constexpr double longest_step_in_edges = 0.1;
+/// After so many steps their length is found anew. A trial costs about six steps. Steps stay stable while the
+/// rate grows by less than four times; a stomatocyte's grew by half in some thousand.
+constexpr std::int64_t steps_in_trial = 100;
 
 bool is_explicit(const CapsuleParameters& capsule) {
   return capsule.viscous && !is_implicit(*capsule.viscous);
@@ -106,6 +109,7 @@ class StepLength {
     for (const auto& mesh : meshes) edges_.push_back(membrane::inspect(mesh).edge_mean);
   }
 
+  bool is_given() const { return given_ > 0; }
   /// The longest that is to be made from here.
   double longest(DragMotion& motion, std::int64_t step) const {
     if (given_ > 0) return given_;
@@ -132,23 +136,68 @@ std::int64_t n_steps_in(double time, double longest, double shear_rate) {
                   longest * shear_rate));
 }
 
-/// An explicit viscosity has the same steps throughout; they are whole parts of a time step of the case.
+/// An explicit viscosity has the same steps throughout; they are whole parts of a time step of the case. 0
+/// without one.
 double law_step_of(const DragStage& stage, const Parameters& numbers, const MembraneShapes& shapes) {
-  if (std::ranges::none_of(numbers.capsules, is_explicit)) return 1;
+  if (std::ranges::none_of(numbers.capsules, is_explicit)) return 0;
   DragMotion motion(stage.the_case, numbers, shapes, stage.drag, 1);
   motion.settle(positions_of(motion.membranes()), 0);
   const double longest = StepLength(stage, numbers, shapes.meshes).longest(motion, 0);
   return 1.0 / static_cast<double>(n_steps_in(1, longest, numbers.shear_rate));
 }
 
-void go_on(DragMotion& motion, std::int64_t from, std::int64_t to, std::int64_t n_steps) {
-  const double dt = static_cast<double>(to - from) / static_cast<double>(n_steps);
-  for (std::int64_t k = 1; k <= n_steps; ++k) motion.settle(motion.moved(dt), k < n_steps ? from : to);
+/// The time that a motion has come to, time steps of the case.
+struct Progress {
+  double time = 0;
+  std::int64_t n_steps = 0;
+};
+
+/// From the present step of the case to another, by equal steps between two trials of their length.
+/// @param law_step the length of all of them; 0: by trial
+void go_on(DragMotion& motion, const StepLength& steps, double law_step, double shear_rate, std::int64_t to,
+           Progress& progress) {
+  const auto from = static_cast<std::int64_t>(progress.time);
+  for (std::int64_t left = 1; left > 0;) {
+    const double time = static_cast<double>(to) - progress.time;
+    const bool has_one_length = law_step > 0 || steps.is_given();
+    left = n_steps_in(time, law_step > 0 ? law_step : steps.longest(motion, from), shear_rate);
+    if (progress.n_steps == 0) {
+      fmt::print("steps of {:.3g} shear times at first, {:.3g} of a time step of the case\n",
+                 time * shear_rate / static_cast<double>(left), time / static_cast<double>(left));
+    }
+    const double dt = time / static_cast<double>(left);
+    const auto n_steps = has_one_length ? left : std::min(left, steps_in_trial);
+    left -= n_steps;
+    for (std::int64_t k = 1; k <= n_steps; ++k) {
+      motion.settle(motion.moved(dt), left == 0 && k == n_steps ? to : from);
+      progress.time += dt;
+      ++progress.n_steps;
+    }
+  }
+  progress.time = static_cast<double>(to);
 }
 
-[[noreturn]] void stop(const std::exception& error, std::int64_t step, double shear_rate) {
-  throw RunError(fmt::format("after shear time {:g}: {}; make steps shorter with --step",
-                             static_cast<double>(step) * shear_rate, error.what()));
+[[noreturn]] void stop(const std::exception& error, double shear_time, const DragStage& stage,
+                       const std::filesystem::path& last_good) {
+  throw RunError(fmt::format(
+      "after shear time {:g}: {}; {}{}", shear_time, error.what(),
+      stage.step > 0
+          ? "make steps shorter with --step, or leave it out"
+          : "a membrane that crumples needs shear elasticity, bending, or a finer or more even mesh",
+      last_good.empty() ? "" : "; the last state before it is in " + last_good.string()));
+}
+
+/// Forces and velocities at the start. @throws InputError if it is no surface to start from
+void settle_start(DragMotion& motion, const NodeVectors& start, const DragStage& stage) {
+  try {
+    if (!stage.in.empty()) motion.start_at(start);
+    motion.settle(start, 0);
+  } catch (const membrane::InvertedElement& error) {
+    throw InputError(
+        fmt::format("{}: {}; start from another surface, {}",
+                    stage.in.empty() ? stage.the_case.file.string() : "--in " + stage.in.string(),
+                    error.what(), "--in or capsule.N.mesh, or one of more triangles"));
+  }
 }
 
 void run(const DragStage& stage) {
@@ -158,45 +207,37 @@ void run(const DragStage& stage) {
   const auto& meshes = shapes.meshes;
   const auto events = events_of(stage, numbers);
   const double law_step = law_step_of(stage, numbers, shapes);
-  const bool has_law_step = std::ranges::any_of(numbers.capsules, is_explicit);
-  DragMotion motion(stage.the_case, numbers, shapes, stage.drag, law_step);
+  DragMotion motion(stage.the_case, numbers, shapes, stage.drag, law_step > 0 ? law_step : 1);
   const auto start = start_positions(stage, motion.membranes());
+  settle_start(motion, start, stage);
   require_new_directory("--out", stage.out);
   DragOutput output(stage.out, stage.the_case, numbers, meshes);
   const StepLength steps(stage, numbers, meshes);
-  std::int64_t step = 0, n_steps_made = 0;
+  std::int64_t step = 0;
+  Progress progress;
   try {
-    if (!stage.in.empty()) motion.start_at(start);
-    motion.settle(start, step);
     output.begin();
     output.add_row(motion, step);
     output.add_file(motion, step);
+    output.remember(motion, step);
     while (step < events.end && SignalGuard::caught() == 0) {
-      const auto next = events.after(step);
-      const double longest = has_law_step ? law_step : steps.longest(motion, step);
-      const auto n_steps = n_steps_in(static_cast<double>(next - step), longest, numbers.shear_rate);
-      if (step == 0) {
-        fmt::print("steps of {:.3g} shear times at first, {:.3g} of a time step of the case\n",
-                   static_cast<double>(next) * numbers.shear_rate / static_cast<double>(n_steps),
-                   static_cast<double>(next) / static_cast<double>(n_steps));
-      }
-      go_on(motion, step, next, n_steps);
-      step = next;
-      n_steps_made += n_steps;
+      step = events.after(step);
+      go_on(motion, steps, law_step, numbers.shear_rate, step, progress);
       const bool is_still = output.speed(motion) <= stage.still && !events.has_load_end_after(step);
       const bool is_last = step == events.end || is_still;
       if (events.rows.due(step) || is_last) output.add_row(motion, step);
       if (events.files.due(step) || is_last) output.add_file(motion, step);
+      output.remember(motion, step);
       if (!is_still) continue;
       fmt::print("stands still at shear time {:g}\n", static_cast<double>(step) * numbers.shear_rate);
       break;
     }
   } catch (const LongMove& error) {
-    stop(error, step, numbers.shear_rate);
+    stop(error, progress.time * numbers.shear_rate, stage, output.keep_remembered());
   } catch (const membrane::InvertedElement& error) {
-    stop(error, step, numbers.shear_rate);
+    stop(error, progress.time * numbers.shear_rate, stage, output.keep_remembered());
   }
-  fmt::print("{} steps; largest speed at the end {:.3g} radii per shear time\n", n_steps_made,
+  fmt::print("{} steps; largest speed at the end {:.3g} radii per shear time\n", progress.n_steps,
              output.speed(motion));
 }
 

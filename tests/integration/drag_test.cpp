@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -13,6 +14,7 @@
 #include "driver/system/loads.hpp"
 #include "driver/units/load_units.hpp"
 #include "exchange/vtk_files.hpp"
+#include "membrane/surface_check.hpp"
 #include "tests/integration/program.hpp"
 
 namespace tanktread::testing {
@@ -214,6 +216,57 @@ TEST_F(Drag, MayStartFromATurnedCapsule) {
   write_start(Eigen::AngleAxisd(2.5, Eigen::Vector3d(1, 2, 0).normalized()).toRotationMatrix());
   EXPECT_THAT(drag({"--in", path("start.vtu"), "--still", "1e-9"}), HasSubstr("stands still"));
   EXPECT_LT(table().back().at("speed"), 1e-9);
+}
+
+// Pulled back by far more than a right angle between the two times at which something is written, which an
+// element may not turn in a step: the trials of the length of steps take it as it is.
+TEST_F(Drag, MayTurnRoundBetweenTwoRows) {
+  write_start(Eigen::AngleAxisd(2.2, Eigen::Vector3d::UnitX()).toRotationMatrix());
+  drag({"--in", path("start.vtu"), "--shear-time", "4", "--set", "output.observables_every=2", "--set",
+        "output.membrane_every=2", "--set",
+        "capsule.0.load={ force = 3, direction = [0, 0, 1], patch = 0.1 }"});
+  const auto file = exchange::read_surface(directory_ / "out" /
+                                           exchange::read_series(path("out/membrane.pvd")).back().file);
+  const auto mesh = driver::membrane_shapes(read()).meshes[0];
+  const Eigen::Map<const Eigen::Matrix3Xd> points(file.points.data(), 3, mesh.points.cols());
+  Eigen::Index top = 0;
+  mesh.points.row(2).maxCoeff(&top);
+  EXPECT_GT(points(2, top), 12 + 5) << "the pole is where it was pulled to";
+}
+
+// Emptied to a twentieth, a membrane of next to no bending crumples.
+TEST_F(Drag, ACrumpledMembraneIsRefusedAndItsLastGoodStateKept) {
+  const auto said =
+      drag({"--set", "membrane.volume_modulus=20", "--set", "membrane.reference_volume=0.05", "--set",
+            "membrane.bending_modulus=1e-5", "--set", "output.observables_every=0.001"},
+           3);
+  EXPECT_THAT(said, AllOf(HasSubstr("after shear time 0.00"), HasSubstr("capsule 0: at ("),
+                          HasSubstr("folded up"), HasSubstr("the last state before it is in ")));
+  const auto rows = table();
+  const auto series = exchange::read_series(path("out/membrane.pvd"));
+  ASSERT_EQ(series.size(), 2u);
+  EXPECT_GT(rows.size(), 2u);
+  EXPECT_EQ(series.back().time, rows.back().at("shear_time"));
+  EXPECT_THAT(said, HasSubstr(series.back().file));
+  const auto file = exchange::read_surface(directory_ / "out" / series.back().file);
+  const auto mesh = driver::membrane_shapes(read()).meshes[0];
+  membrane::SurfaceCheck check(mesh.triangles);
+  EXPECT_NO_THROW(check.check(Eigen::Map<const Eigen::Matrix3Xd>(file.points.data(), 3, mesh.points.cols())));
+}
+
+// As flat as a hundredth, a sphere has needles along its rim: no start of a membrane with bending; one
+// without takes what it likes.
+TEST_F(Drag, AFlatStartIsRefusedWhereThereIsBending) {
+  write_start(Eigen::Vector3d(1, 1, 0.01).asDiagonal());
+  const std::vector<std::string> options = {"--in",  path("start.vtu"), "--shear-time",
+                                            "0.001", "--drag",          "100"};
+  drag(options, 0, "without");
+  auto bending = options;
+  bending.insert(bending.end(), {"--set", "membrane.bending_modulus=0.01"});
+  EXPECT_THAT(drag(bending, 2),
+              AllOf(HasSubstr("--in " + path("start.vtu") + ": capsule 0: at ("),
+                    HasSubstr("has become a needle"), HasSubstr("start from another surface")));
+  EXPECT_FALSE(std::filesystem::exists(directory_ / "out"));
 }
 
 TEST_F(Drag, DoesNotDependOnThreads) {
