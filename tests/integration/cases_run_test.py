@@ -109,7 +109,7 @@ class RunBuilt(InFolder):
         """Exit code, output, and the calls of tanktread."""
         (self.folder / "calls").unlink(missing_ok=True)
         process = self.start(*arguments, **more)
-        output = process.communicate(timeout=60)[0]
+        output = process.communicate(timeout=240)[0]
         calls = (self.folder / "calls").read_text().splitlines() if (self.folder / "calls").exists() else []
         return process.returncode, output, calls
 
