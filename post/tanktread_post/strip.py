@@ -87,7 +87,7 @@ def _panel(output, case, axes, entry, radius, share):
     vtkLightKit().AddLightsToRenderer(renderer)
     # The same frame at all times, about where the membrane is.
     centre = surface.GetCenter()
-    bounds = [centre[k // 2] + (1.75 if k % 2 else -1.75) * radius for k in range(6)]
+    bounds = [centre[k // 2] + (1.4 if k % 2 else -1.4) * radius for k in range(6)]
     render.look_along_vorticity(renderer, axes, bounds)
     return renderer
 
