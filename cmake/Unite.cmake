@@ -52,7 +52,7 @@ endfunction()
 
 # tanktread_round_each_operation(SOURCES ...): a product and a sum are never fused in these. Where they are depends on what is
 # inlined, and that on the other sources of a group; so what is grouped and computes numbers of a run has the same bits in any
-# group and by itself. The loops that take the time of a step are not grouped, and may fuse.
+# group and by itself. The loops of coupler/ and membrane/ that take the time of a step are not grouped, and may fuse.
 function(tanktread_round_each_operation)
   set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -ffp-contract=off)
 endfunction()

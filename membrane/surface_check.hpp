@@ -14,8 +14,9 @@ class SurfaceCheck {
  public:
   /// Two triangles at an edge have folded up if their normals are further apart. At 180 degrees the angle of
   /// an edge, and the energy of bending with it, jumps from one sign to the other. A node that moves by a
-  /// tenth of an edge turns a triangle by about 0.1/(sqrt(3)/2) radians, and the fold by at most twice as
-  /// much if both are turned, 13 degrees: so in such steps none goes through 180 unseen.
+  /// tenth of an edge turns an even triangle by about 0.1/(sqrt(3)/2) radians, and the fold by at most twice
+  /// as much if both are turned, 13 degrees: in such steps none goes through 180 unseen. With longer steps,
+  /// or where triangles are smaller than their mean or flat, one may; it is seen if it stays beyond 160.
   static constexpr double greatest_fold_deg = 160;
   /// Height of a triangle over its longest edge, 0.87 if it is equilateral. One below this has an angle of at
   /// most atan(2 * 0.02) = 2.3 degrees; its cotangent, which the forces of bending have, is 25 and more, and

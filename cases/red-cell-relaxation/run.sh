@@ -13,7 +13,7 @@ mkdir -p "$output"
 # A run of a membrane viscosity in a fluid.
 run_in_fluid() {
   local out=$1 viscosity=$2 shear_time=$3 keys=()
-  if [ -d "$out" ]; then
+  if [ -f "$out/echo.toml" ]; then
     tanktread run --resume "$out" </dev/null
     return
   fi

@@ -55,7 +55,7 @@ def _kept_table(found, settings):
     rows, verdicts = [], []
     for name, band, off in (
         ("volume", settings["volume_band"], lambda r: max(abs(r.least_volume - 1), abs(r.greatest_volume - 1))),
-        ("area", settings["area_band"], lambda r: r.greatest_area - 1),
+        ("area", settings["area_band"], lambda r: max(abs(r.least_area - 1), abs(r.greatest_area - 1))),
     ):
         worst = max(found, key=off)
         verdicts.append(off(worst) <= band)
@@ -78,10 +78,9 @@ def _statements(found, settings):
                 f"{faster.run} treads faster than {slower.run}", f"{faster.treading_frequency:.4g} and {slower.treading_frequency:.4g} 1/s",
                 faster.treading_frequency > slower.treading_frequency,
             )  # fmt: skip
-        viscous = by.get
         if membrane == "elastic":
             for r in treading:
-                other = viscous((fluid, "viscous", r.shear_rate))
+                other = by.get((fluid, "viscous", r.shear_rate))
                 if other is not None and math.isfinite(other.treading_frequency):
                     yield (
                         f"{other.run} treads slower than {r.run}", f"{other.treading_frequency:.4g} and {r.treading_frequency:.4g} 1/s",

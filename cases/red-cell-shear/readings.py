@@ -35,6 +35,7 @@ class Reading:
     deformation: float  # mean D
     least_volume: float  # over that at rest, in the whole run
     greatest_volume: float
+    least_area: float
     greatest_area: float
 
     @property
@@ -85,6 +86,7 @@ def read_run(directory, settings):
         deformation=observables.mean("deformation", end - settings["read_over"], end),
         least_volume=float(volume.min()),
         greatest_volume=float(volume.max()),
+        least_area=float(area.min()),
         greatest_area=float(area.max()),
     )
 

@@ -138,7 +138,11 @@ def tables(output, case):
         if end is not None:
             verdicts.append(abs(end) <= band)
             rows.append((vesicles[0].shape, "limit", "", "", "", shown(end, True), "", "", "inside" if verdicts[-1] else "OUTSIDE"))
-    missing = [row["shape"] for row in read_table(pathlib.Path(case) / "shapes.csv") if row["shape"] not in found]
+    levels = sorted({one.level for vesicles in found.values() for one in vesicles})
+    missing = []
+    for row in read_table(pathlib.Path(case) / "shapes.csv"):
+        there = {one.level for one in found.get(row["shape"], ())}
+        missing += [f"{row['shape']} on level {level}" for level in levels if level >= int(row["coarsest_level"]) and level not in there]
     named = (("not finished, a node is faster than {:g}".format(still), not_finished), ("not run yet, or gone wrong", missing))
     header = ("vesicle", "triangles", "reduced volume", "E/(8 pi kappa_b)", "theory", "difference", "law", "speed", "")
     title = f"bending energy of vesicles at rest; judged: the limit, to {shown(band, True, '')}. law: its energy over that of bending"

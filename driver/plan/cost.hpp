@@ -17,7 +17,7 @@ struct FilesCost {
   double n_written = 0;  ///< in the whole run
   double n_kept = 0;     ///< at its end
   double bytes = 0;      ///< of one
-  double seconds = 0;    ///< to write one; 0: not measured
+  double seconds = 0;    ///< to find and write one; 0: not measured
 };
 
 /// Estimates from the sizes of a case and from what a probe measured.
@@ -31,7 +31,7 @@ struct Cost {
 
   double disk_bytes() const;       ///< at the end
   double disk_peak_bytes() const;  ///< while the last checkpoint is written beside those that are kept
-  double write_seconds() const;    ///< of all files
+  double write_seconds() const;    ///< of all files and rows
 };
 
 /// Memory at the peak of a run, within some 15 % where it is over 20 MB (measured for boxes of 24^3 to 100^3

@@ -15,8 +15,7 @@ namespace tanktread::driver {
 /// than a radius to a wall or a periodic image of its own, less than two kernel half-widths between capsules
 /// (surface to surface); membrane viscosity beside a program in the membrane's place, or that is given but
 /// switched off, or on but zero, whose update interval is too long for its spring, or whose spring is too
-/// stiff for an explicit update; output intervals that rounding to whole steps changes by more than 1
-/// %.
+/// stiff for an explicit update; output intervals that rounding to whole steps changes by more than 1 %.
 /// @param mean_edges mean mesh edge of each capsule, grid steps; empty: not known
 /// @param placement of the membranes at the start
 std::vector<std::string> warnings(const Case& the_case, const Parameters& parameters,

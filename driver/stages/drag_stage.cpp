@@ -23,7 +23,8 @@ namespace {
 
 /// A step is stable below 2 over the highest rate, which changes while a membrane is deformed.
 constexpr double steps_in_highest_rate = 0.5;
-/// Of a mean edge, that a node may move in a step at the speed it has (SurfaceCheck counts on it).
+/// Of a mean edge, that a node may move in a step at the speed it has (so most folds pass SurfaceCheck before
+/// they are closed).
 constexpr double longest_step_in_edges = 0.1;
 /// After so many steps their length is found anew. A trial costs about six steps. Steps stay stable while the
 /// rate grows by less than four times; a stomatocyte's grew by half in some thousand.
@@ -136,12 +137,25 @@ std::int64_t n_steps_in(double time, double longest, double shear_rate) {
                   longest * shear_rate));
 }
 
+/// Forces and velocities at the start. @throws InputError if it is no surface to start from
+void settle_start(DragMotion& motion, const NodeVectors& start, const DragStage& stage) {
+  try {
+    if (!stage.in.empty()) motion.start_at(start);
+    motion.settle(start, 0);
+  } catch (const membrane::InvertedElement& error) {
+    throw InputError(
+        fmt::format("{}: {}; start from another surface, {}",
+                    stage.in.empty() ? stage.the_case.file.string() : "--in " + stage.in.string(),
+                    error.what(), "--in or capsule.N.mesh, or one of more triangles"));
+  }
+}
+
 /// An explicit viscosity has the same steps throughout; they are whole parts of a time step of the case. 0
 /// without one.
 double law_step_of(const DragStage& stage, const Parameters& numbers, const MembraneShapes& shapes) {
   if (std::ranges::none_of(numbers.capsules, is_explicit)) return 0;
   DragMotion motion(stage.the_case, numbers, shapes, stage.drag, 1);
-  motion.settle(positions_of(motion.membranes()), 0);
+  settle_start(motion, positions_of(motion.membranes()), stage);
   const double longest = StepLength(stage, numbers, shapes.meshes).longest(motion, 0);
   return 1.0 / static_cast<double>(n_steps_in(1, longest, numbers.shear_rate));
 }
@@ -177,27 +191,12 @@ void go_on(DragMotion& motion, const StepLength& steps, double law_step, double 
   progress.time = static_cast<double>(to);
 }
 
-[[noreturn]] void stop(const std::exception& error, double shear_time, const DragStage& stage,
+/// @param advice what to do; may be empty
+[[noreturn]] void stop(const std::exception& error, const std::string& advice, double shear_time,
                        const std::filesystem::path& last_good) {
-  throw RunError(fmt::format(
-      "after shear time {:g}: {}; {}{}", shear_time, error.what(),
-      stage.step > 0
-          ? "make steps shorter with --step, or leave it out"
-          : "a membrane that crumples needs shear elasticity, bending, or a finer or more even mesh",
-      last_good.empty() ? "" : "; the last state before it is in " + last_good.string()));
-}
-
-/// Forces and velocities at the start. @throws InputError if it is no surface to start from
-void settle_start(DragMotion& motion, const NodeVectors& start, const DragStage& stage) {
-  try {
-    if (!stage.in.empty()) motion.start_at(start);
-    motion.settle(start, 0);
-  } catch (const membrane::InvertedElement& error) {
-    throw InputError(
-        fmt::format("{}: {}; start from another surface, {}",
-                    stage.in.empty() ? stage.the_case.file.string() : "--in " + stage.in.string(),
-                    error.what(), "--in or capsule.N.mesh, or one of more triangles"));
-  }
+  throw RunError(
+      fmt::format("after shear time {:g}: {}{}{}{}", shear_time, error.what(), advice.empty() ? "" : "; ",
+                  advice, last_good.empty() ? "" : "; the last state before it is in " + last_good.string()));
 }
 
 void run(const DragStage& stage) {
@@ -233,9 +232,16 @@ void run(const DragStage& stage) {
       break;
     }
   } catch (const LongMove& error) {
-    stop(error, progress.time * numbers.shear_rate, stage, output.keep_remembered());
+    stop(error, "make steps shorter with --step, or pull less", progress.time * numbers.shear_rate,
+         output.keep_remembered());
   } catch (const membrane::InvertedElement& error) {
-    stop(error, progress.time * numbers.shear_rate, stage, output.keep_remembered());
+    stop(error,
+         stage.step > 0 ? "make steps shorter with --step, or leave it out"
+                        : "a membrane that crumples needs shear elasticity, bending, or a finer or more even "
+                          "mesh; one that is pulled too hard a smaller load or a shorter --step",
+         progress.time * numbers.shear_rate, output.keep_remembered());
+  } catch (const RunError& error) {
+    stop(error, "", progress.time * numbers.shear_rate, output.keep_remembered());
   }
   fmt::print("{} steps; largest speed at the end {:.3g} radii per shear time\n", progress.n_steps,
              output.speed(motion));

@@ -5,6 +5,7 @@ import pathlib
 import numpy
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  (draws text: loaded for its effect)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (draws all else: loaded for its effect)
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTriangleFilter
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkFiltersModeling import vtkLoopSubdivisionFilter
@@ -12,7 +13,7 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLightKit, vtkPolyDataMapper, vtkRenderer, vtkTextActor
 
-from . import render, scene, series, whole_file
+from . import outlines, render, scene, series
 from .observables import InputError, Observables
 from .run_folder import read_echo
 
@@ -59,12 +60,14 @@ def _marker(place, radius):
 
 
 def _marker_place(output, shear_time, surface, radius):
-    """Of the marker of measures.csv, seen from the middle of the membrane; None without the table."""
+    """Of the marker of measures.csv, which is seen from the centroid; None without the table."""
     if not (output / "measures.csv").is_file():
         return None
     measures = Observables(output, table="measures.csv")
     time = min(shear_time, measures["shear_time"][-1])
-    return numpy.array(surface.GetCenter()) + radius * numpy.array([measures.at(f"marker_{axis}", time) for axis in "xyz"])
+    points = vtk_to_numpy(surface.GetPoints().GetData())
+    triangles = vtk_to_numpy(surface.GetCells().GetConnectivityArray()).reshape(-1, 3)
+    return outlines.centroid(points, triangles) + radius * numpy.array([measures.at(f"marker_{axis}", time) for axis in "xyz"])
 
 
 def _panel(output, case, axes, entry, radius, share):

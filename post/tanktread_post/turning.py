@@ -16,8 +16,9 @@ def _crossing(times, phase, value):
 def mean_turning(times, angle, period, longest):
     """The mean size of the velocity of a continuous angle (radians), over as many whole periods as there are, up to the end, in the last `longest` of the
     times; NaN without one. Within a period the velocity may be any."""
-    phase = numpy.sign(angle[-1] - angle[0]) * (angle - angle[-1])  # grows to 0
-    n_periods = math.floor(-phase[times >= times[-1] - longest][0] / period)
+    start = angle[times >= times[-1] - longest][0]
+    phase = numpy.sign(angle[-1] - start) * (angle - angle[-1])  # grows to 0
+    n_periods = math.floor(abs(angle[-1] - start) / period)
     if n_periods < 1 or len(times) < 4:
         return math.nan
     return float(n_periods * period / (times[-1] - _crossing(times, phase, -n_periods * period)))

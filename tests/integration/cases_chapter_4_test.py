@@ -28,6 +28,11 @@ class TurningFrequency(unittest.TestCase):
         self.assertAlmostEqual(turning.turning_frequency(times, numpy.cos(phase), -numpy.sin(phase), 22.0), 0.3, delta=1e-6)
         self.assertGreater(turning.turning_frequency(times, numpy.cos(phase), -numpy.sin(phase), 44.0), 0.35)
 
+    def test_what_turned_the_other_way_before_does_not_count(self):
+        times = numpy.arange(901) * EVERY
+        phase = numpy.where(times < 20, 0.6 * times, 12 - 0.3 * (times - 20))
+        self.assertAlmostEqual(turning.turning_frequency(times, numpy.cos(phase), numpy.sin(phase), 22.0), 0.3, delta=1e-6)
+
     def test_of_less_than_half_a_turn_is_not_known(self):
         times = numpy.arange(901) * EVERY
         self.assertTrue(math.isnan(turning.turning_frequency(times, *ellipse(times, 0.1), 20.0)))

@@ -88,7 +88,7 @@ class RedCellShear(InFolder):
         self.assertAlmostEqual(r.inclination, 15, delta=1e-9)
         self.assertAlmostEqual(r.swing, 0, delta=1e-9)
         self.assertAlmostEqual(r.viscosity_ratio, 8 / 28.9, delta=1e-12)
-        self.assertEqual((r.least_volume, r.greatest_volume, r.greatest_area), (0.999, 1, 1.01))
+        self.assertEqual((r.least_volume, r.greatest_volume, r.least_area, r.greatest_area), (0.999, 1, 1, 1.01))
         r = found["plasma-elastic-30"]
         self.assertEqual((r.state, r.fluid), ("tumbling", ("plasma", "elastic")))
         self.assertAlmostEqual(r.tumbling_frequency, 7.5 * HERTZ, delta=1e-9)
@@ -111,6 +111,7 @@ class RedCellShear(InFolder):
             ("dextran-elastic-30", {"rate": 30, "volume": 1.0021}),
             ("dextran-elastic-30", {"rate": 30, "volume": 0.9979}),
             ("dextran-elastic-30", {"rate": 30, "area": 1.021}),
+            ("dextran-elastic-30", {"rate": 30, "area": 0.979}),
         ):
             with self.subTest(name=name, **keys):
                 shutil.rmtree(self.folder / "out", ignore_errors=True)

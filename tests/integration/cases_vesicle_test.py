@@ -141,7 +141,7 @@ class Analysis(InFolder):
                 found, text = said(case_results.judge, self.folder, CASE)
                 self.assertEqual((found, text.count("NOT AT REST"), text.count("inside")), (code, code, 1 - code))
                 self.assertEqual(f"not finished, a node is faster than 0.03: oblate-0.65 with {triangles_of(3)} triangles" in text, code == 1)
-                self.assertIn("not run yet, or gone wrong: oblate-0.80, ", text)
+                self.assertIn("not run yet, or gone wrong: oblate-0.80 on level 2, ", text)
 
     def test_script_and_comparison_ask_for_the_same_speed(self):
         (line,) = [line for line in (CASE / "run.sh").read_text().splitlines() if line.startswith("still=")]

@@ -95,8 +95,6 @@ TEST_P(ContrastRun, HasTheSameBitsOnAnyNumberOfThreads) {
   for (const std::string threads : {"2", "3"}) expect_same_end("1", threads, 5);
 }
 
-// Its first marks are news against those of the checkpoint, not against a fluid without capsules: else a node
-// that a capsule leaves in that step would keep the viscosity.
 TEST_F(Contrast, FieldsHaveTheMarksOnlyWhereTheyAreKnownOfAllNodes) {
   call({"run", path("case.toml"), "--output", path("out"), "--record", path("record")});
   const std::vector<std::string> no_marks,
@@ -111,6 +109,8 @@ TEST_F(Contrast, FieldsHaveTheMarksOnlyWhereTheyAreKnownOfAllNodes) {
   }
 }
 
+// Its first marks are news against those of the checkpoint, not against a fluid without capsules: else a node
+// that a capsule leaves in that step would keep the viscosity.
 TEST_F(Contrast, TheRecordOfAResumedRunIsTheSame) {
   record(10);
   call({"run", path("case.toml"), "--output", path("half"), "--shear-time", "0.04"});

@@ -266,6 +266,15 @@ TEST_F(Drag, AFlatStartIsRefusedWhereThereIsBending) {
   EXPECT_THAT(drag(bending, 2),
               AllOf(HasSubstr("--in " + path("start.vtu") + ": capsule 0: at ("),
                     HasSubstr("has become a needle"), HasSubstr("start from another surface")));
+  // An explicit viscosity, whose steps are found before all else, starts from the mesh of the case.
+  const std::vector<std::string> of_mesh = {
+      "--shear-time", "0.001",
+      "--set",        "capsule.0.mesh={ file = \"" + path("start.vtu") + "\" }",
+      "--set",        "membrane.bending_modulus=0.01",
+      "--set",        "membrane.viscous.scheme=fd",
+      "--set",        "membrane.viscous.boussinesq_shear=1"};
+  EXPECT_THAT(drag(of_mesh, 2), AllOf(HasSubstr(path("case.toml") + ": capsule 0: at ("),
+                                      HasSubstr("has become a needle"), HasSubstr("capsule.N.mesh")));
   EXPECT_FALSE(std::filesystem::exists(directory_ / "out"));
 }
 
