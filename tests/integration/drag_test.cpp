@@ -272,7 +272,9 @@ TEST_F(Drag, AFlatStartIsRefusedWhereThereIsBending) {
       "--set",        "capsule.0.mesh={ file = \"" + path("start.vtu") + "\" }",
       "--set",        "membrane.bending_modulus=0.01",
       "--set",        "membrane.viscous.scheme=fd",
-      "--set",        "membrane.viscous.boussinesq_shear=1"};
+      "--set",        "membrane.viscous.boussinesq_shear=1",
+      "--set",        "membrane.viscous.spring_stiffness=20",
+      "--set",        "capsule.0.radius=2.5"};
   EXPECT_THAT(drag(of_mesh, 2), AllOf(HasSubstr(path("case.toml") + ": capsule 0: at ("),
                                       HasSubstr("has become a needle"), HasSubstr("capsule.N.mesh")));
   EXPECT_FALSE(std::filesystem::exists(directory_ / "out"));
