@@ -1,15 +1,12 @@
 """What is read of one run of the matrix: shape, contour, rotation and dissipation at its end, from its tables or from measured/readings.csv."""
 
-import csv
 import dataclasses
-import io
 import math
-import pathlib
 
 import numpy
 
-from tanktread_post.observables import InputError, Observables
-from tanktread_post.reference import read_table
+from tanktread_post import records
+from tanktread_post.observables import Observables
 from tanktread_post.run_folder import end_of, finished_runs, read_echo, read_parameters
 from tanktread_post.turning import turning_frequency
 
@@ -121,34 +118,12 @@ def read_runs(output, settings, kept=None):
     """The readings of all finished runs below a folder, and of those of `kept` (measured/readings.csv) that are not among them, in rising
     (lambda, Bq_s, Bq_d)."""
     found = {directory.name: read_run(directory, settings) for directory in finished_runs(output)}
-    return sorted(((read_kept(kept) if kept else {}) | found).values(), key=lambda r: r.place)
+    return sorted(((records.read_kept(kept, Reading) if kept else {}) | found).values(), key=lambda r: r.place)
 
 
 def table_of(readings):
     """The text of measured/readings.csv: all that is read of each run, and what follows from it, a row a run."""
-    stream = io.StringIO()
-    names = [field.name for field in dataclasses.fields(Reading)]
-    writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow([*names, *FOLLOWS])
-    for r in readings:
-        values = [getattr(r, name) for name in (*names[2:], *FOLLOWS)]
-        writer.writerow([r.run, r.commit, *("" if math.isnan(value) else f"{value:.8g}" for value in values)])
-    return stream.getvalue()
-
-
-def read_kept(file):
-    """{run: Reading} of measured/readings.csv; nothing where there is no such file. An empty cell is not known."""
-    if not pathlib.Path(file).is_file():
-        return {}
-    numbers = [field.name for field in dataclasses.fields(Reading)][2:]
-    found = {}
-    for row in read_table(file):
-        try:
-            values = {name: float(row[name] or "nan") for name in numbers}
-            found[row["run"]] = Reading(row["run"], row["commit"], **values)
-        except (KeyError, ValueError) as error:
-            raise InputError(f"{file}: {error}; it is damaged, or of before a column was added: run --measure of the run again") from error
-    return found
+    return records.table_of(readings, Reading, FOLLOWS)
 
 
 def curves(readings, along, by):

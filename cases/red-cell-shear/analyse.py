@@ -4,6 +4,7 @@ import functools
 import math
 import pathlib
 
+from tanktread_post import records
 from tanktread_post.case_analysis import module_of
 from tanktread_post.outlines import read_outline
 from tanktread_post.plot import COLOURS, new_axes, new_panels, save
@@ -101,7 +102,7 @@ def tables(output, case):
 
 def measured(output, case):
     """readings.csv: all that is read of each run."""
-    return {"readings.csv": readings.table_of(known(output, case)[1])}
+    return {"readings.csv": records.table_of(known(output, case)[1], readings.Reading)}
 
 
 def _over_rate(found, y_label, value, spread=lambda r: 0.0):

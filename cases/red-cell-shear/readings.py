@@ -1,19 +1,15 @@
 """What is read of one cell in shear flow: how it moves, how fast, and how it lies; from its tables or from measured/readings.csv."""
 
-import csv
 import dataclasses
-import io
 import math
-import pathlib
 
 import numpy
 
 from tanktread_post.observables import InputError, Observables
-from tanktread_post.reference import read_table
+from tanktread_post.records import read_kept
 from tanktread_post.run_folder import end_of, finished_runs, read_echo, read_parameters
 from tanktread_post.turning import mean_turning
 
-TEXTS = ("run", "commit", "state")
 MOTIONS = ("tumbling", "swinging", "tank-treading", "slow")  # slow: neither shape nor membrane turns by half in the time that is read
 
 
@@ -94,33 +90,7 @@ def read_run(directory, settings):
 def read_runs(output, settings, kept):
     """The readings of all finished runs below a folder, and of those of `kept` (measured/readings.csv) that are not among them, by fluid and shear rate."""
     found = {directory.name: read_run(directory, settings) for directory in finished_runs(output)}
-    readings = list((read_kept(kept) | found).values())
+    readings = list((read_kept(kept, Reading) | found).values())
     if not readings:
         raise InputError(f"{output}: no finished run is there")
     return sorted(readings, key=lambda r: (r.fluid, r.shear_rate))
-
-
-def table_of(readings):
-    """The text of measured/readings.csv."""
-    stream = io.StringIO()
-    names = [field.name for field in dataclasses.fields(Reading)]
-    writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow(names)
-    for r in readings:
-        values = (getattr(r, name) for name in names)
-        writer.writerow([value if isinstance(value, str) else "" if math.isnan(value) else f"{value:.6g}" for value in values])
-    return stream.getvalue()
-
-
-def read_kept(file):
-    """{run: Reading} of measured/readings.csv; nothing where there is no such file. An empty cell is not known."""
-    if not pathlib.Path(file).is_file():
-        return {}
-    found = {}
-    for row in read_table(file):
-        try:
-            values = {field.name: row[field.name] if field.name in TEXTS else float(row[field.name] or "nan") for field in dataclasses.fields(Reading)}
-        except (KeyError, ValueError) as error:
-            raise InputError(f"{file}: {error}; it is damaged, or of before a column was added: run --measure of the run again") from error
-        found[row["run"]] = Reading(**values)
-    return found

@@ -136,6 +136,13 @@ class RedCellShear(InFolder):
         self.assertEqual({run: r.state for run, r in found.items()}, {"dextran-elastic-100": "tank-treading", "plasma-elastic-30": "tumbling"})
         self.assertAlmostEqual(found["dextran-elastic-100"].treading_frequency, 30 * HERTZ, delta=1e-5)
 
+    def test_a_kept_table_that_is_damaged_is_refused(self):
+        kept = self.case / "measured/readings.csv"
+        kept.parent.mkdir()
+        for text in ("run,commit\na,b\n", (CASE / "measured/readings.csv").read_text().replace("tumbling,1,", "tumbling,one,", 1)):
+            kept.write_text(text)
+            self.assert_refused([str(kept), "run --measure of the run again"], self.read)
+
     def test_without_runs(self):
         self.assert_refused(["no finished run"], case_results.judge, self.folder / "out", self.case)
 
