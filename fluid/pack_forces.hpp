@@ -20,31 +20,36 @@ inline __attribute__((always_inline)) bool any_force(const double* numbers, int 
   return bits != 0;
 }
 
-/// Eight numbers of one component, from three packs that hold 3 numbers a node.
+/// The numbers of one component, a lane a node, from three packs that hold 3 numbers a node.
 template <int component>
 inline Pack<double> component_of(Pack<double> a, Pack<double> b, Pack<double> c) {
+  constexpr int n = pack_size<double>;
   // Lane k is number 3 k + component; those of a and b first (a lane beyond them is filled by any).
-  constexpr auto in_first_two = [](int k) { return 3 * k + component < 16 ? 3 * k + component : 0; };
+  constexpr auto in_first_two = [](int k) { return 3 * k + component < 2 * n ? 3 * k + component : 0; };
   constexpr auto in_all = [](int k) {
-    return 3 * k + component < 16 ? k : 8 + 3 * k + component - 16;  // 8 + lane of c
+    return 3 * k + component < 2 * n ? k : 3 * k + component - n;  // n + lane of c
   };
   return [&]<int... k>(std::integer_sequence<int, k...>) {
     const Pack<double> ab = __builtin_shufflevector(a, b, in_first_two(k)...);
     return __builtin_shufflevector(ab, c, in_all(k)...);
   }
-  (std::make_integer_sequence<int, 8>{});
+  (std::make_integer_sequence<int, n>{});
 }
 
-/// The vectors of eight nodes, a pack a component.
-inline PackForce<double> eight_vectors(const double* numbers) {
-  const Pack<double> a = load(numbers), b = load(numbers + 8), c = load(numbers + 16);
+/// The vectors of a pack of nodes, a pack a component.
+inline PackForce<double> vectors_at(const double* numbers) {
+  constexpr int n = pack_size<double>;
+  const Pack<double> a = load(numbers), b = load(numbers + n), c = load(numbers + 2 * n);
   return {component_of<0>(a, b, c), component_of<1>(a, b, c), component_of<2>(a, b, c)};
 }
 
 inline Pack<float> joined(Pack<double> low, Pack<double> high) {
   using Half = float __attribute__((vector_size(pack_bytes / 2)));
   const Half first = __builtin_convertvector(low, Half), second = __builtin_convertvector(high, Half);
-  return __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+  return [&]<int... lane>(std::integer_sequence<int, lane...>) {
+    return __builtin_shufflevector(first, second, lane...);
+  }
+  (std::make_integer_sequence<int, pack_size<float>>{});
 }
 
 /// The total force on the pack of `n_lanes` nodes that begins with `node`; on lanes beyond it is of no
@@ -62,11 +67,11 @@ PackForce<Real> total_force(const ForceField& field, std::int64_t node, int n_la
   const auto with_body = [&](const PackForce<double>& force) {
     return PackForce<double>{force.x + body[0], force.y + body[1], force.z + body[2]};
   };
-  const auto low = with_body(eight_vectors(added));
-  if constexpr (pack_size<Real> == 8) {
+  const auto low = with_body(vectors_at(added));
+  if constexpr (pack_size<Real> == pack_size<double>) {
     return low;
   } else {
-    const auto high = with_body(eight_vectors(added + 24));
+    const auto high = with_body(vectors_at(added + 3 * pack_size<double>));
     return {joined(low.x, high.x), joined(low.y, high.y), joined(low.z, high.z)};
   }
 }

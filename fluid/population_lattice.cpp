@@ -26,7 +26,7 @@ void ask_for_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::siz
 template <typename Real>
 PopulationLattice<Real>::PopulationLattice(const GridShape& shape, const std::optional<WallPair>& walls)
     : shape_(shape), walls_(walls) {
-  constexpr std::int64_t line = pack_size<Real>;  // numbers of a cache line
+  constexpr std::int64_t line = cache_line_bytes / sizeof(Real);  // numbers of a cache line, some packs
   row_stride_ = (shape.nx + line - 1) / line * line;
   // The 19 planes are walked side by side. Were they a multiple of 4096 bytes apart, all would fall in the
   // same few sets of the first-level cache; were they little more than a power of two apart, in the same few
