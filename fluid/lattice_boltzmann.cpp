@@ -14,6 +14,7 @@
 #include "fluid/node_dissipation.hpp"
 #include "fluid/node_moments.hpp"
 #include "fluid/node_rates.hpp"
+#include "fluid/population_halo.hpp"
 #include "fluid/population_lattice.hpp"
 #include "fluid/row_sweep.hpp"
 #include "fluid/settings.hpp"
@@ -28,21 +29,30 @@ using d3q19::n_directions;
 template <typename Real>
 class LatticeBoltzmann final : public Fluid {
  public:
-  explicit LatticeBoltzmann(const LatticeBoltzmannSettings& settings)
+  /// @param exchange none if the part is the whole box
+  LatticeBoltzmann(const LatticeBoltzmannSettings& settings, const GridPart& part,
+                   std::unique_ptr<HaloExchange> exchange)
       : settings_(settings),
+        part_(part),
         limit_squared_(static_cast<Real>(settings.speed_limit * settings.speed_limit)),
         n_threads_(settings.threads > 0 ? settings.threads : omp_get_max_threads()),
-        lattice_(settings.shape, settings.walls),
-        rates_(settings),
-        force_(settings.shape, settings.body_force, n_threads_),
-        kept_velocity_(settings.shape) {
+        exchange_(std::move(exchange)),
+        lattice_(settings.shape, settings.walls, part),
+        rates_(settings, part.shape),
+        force_(part.shape, settings.body_force, n_threads_),
+        kept_velocity_(part.shape) {
+    if (exchange_) halo_.emplace(lattice_, *exchange_);
+    sort_rows();
     for_each_row([&](int y, int z) {
       for (int x = 0; x < shape().nx; ++x)
-        put_outgoing(x, y, z, start_populations(settings_, x, y, z).data());
+        put_outgoing(x, y, z,
+                     start_populations(settings_, part_.begin[0] + x, part_.begin[1] + y, part_.begin[2] + z)
+                         .data());
     });
+    if (halo_) halo_->send(last_turn());
   }
 
-  GridShape shape() const override { return settings_.shape; }
+  GridShape shape() const override { return part_.shape; }
 
   void velocity(std::span<const std::int64_t> nodes, std::span<double> velocity) const override {
     check_nodes("velocity()", nodes, velocity.size(), shape().size(), n_threads_);
@@ -60,6 +70,7 @@ class LatticeBoltzmann final : public Fluid {
     check_nodes("free_velocity()", nodes, velocity.size(), shape().size(), n_threads_);
     const std::int64_t n = static_cast<std::int64_t>(nodes.size());
     check_size("free_velocity(): mobility", mobility.size(), n);
+    receive();
 #pragma omp parallel num_threads(n_threads_)
     {
       IncomingReader<Real> reader(lattice_, force_, next_turn(), settings_.inertia);
@@ -87,6 +98,7 @@ class LatticeBoltzmann final : public Fluid {
   void dissipation(std::span<double> power) const override {
     check_size("dissipation()", power.size(), shape().size());
     const std::int64_t nx = shape().nx, n_rows = std::int64_t{shape().ny} * shape().nz;
+    receive();
 #pragma omp parallel num_threads(n_threads_)
     {
       IncomingPacks<Real> packs(lattice_, next_turn());
@@ -142,6 +154,7 @@ class LatticeBoltzmann final : public Fluid {
     kept_velocity_.forget();
     const double highest_squared = settings_.inertia ? sweep<true>(turn) : sweep<false>(turn);
     ++step_;
+    if (halo_) halo_->send(last_turn());
     return std::sqrt(highest_squared);
   }
 
@@ -163,6 +176,7 @@ class LatticeBoltzmann final : public Fluid {
   void restore(const State& state) override {
     const auto arrays = check_state(state, shape().size());
     rates_.set_all(arrays.viscosity);  // first: it may find no memory
+    receive();                         // what is under way is of the state before
     step_ = state.step;
     force_.restore(arrays.force);
     kept_velocity_.forget();
@@ -170,9 +184,29 @@ class LatticeBoltzmann final : public Fluid {
       for (int x = 0; x < shape().nx; ++x)
         put_outgoing(x, y, z, &arrays.populations[n_directions * shape().index(x, y, z)]);
     });
+    if (halo_) halo_->send(last_turn());
   }
 
  private:
+  /// What comes in at the border of a part is in its place after this.
+  void receive() const {
+    if (halo_) halo_->receive();
+  }
+
+  /// Which rows a step can advance before what comes from other parts is there.
+  void sort_rows() {
+    const int ny = shape().ny, nz = shape().nz;
+    const auto at_cut = [&](int axis, int position, int n) {
+      return lattice_.is_cut(axis) && (position == 0 || position == n - 1);
+    };
+    for (int z = 0; z < nz; ++z) {
+      for (int y = 0; y < ny; ++y) {
+        const bool waits = lattice_.is_cut(0) || at_cut(1, y, ny) || at_cut(2, z, nz);
+        (waits ? rows_at_cuts_ : inner_rows_).push_back(std::int64_t{z} * ny + y);
+      }
+    }
+  }
+
   Turn next_turn() const {
     return step_ % 2 == 0 ? Turn::streaming : Turn::local;
   }
@@ -182,8 +216,8 @@ class LatticeBoltzmann final : public Fluid {
 
   template <typename Body>
   void for_each_row(Body&& body) const {
-    const int ny = settings_.shape.ny;
-    const std::int64_t n_rows = std::int64_t{ny} * settings_.shape.nz;
+    const int ny = shape().ny;
+    const std::int64_t n_rows = std::int64_t{ny} * shape().nz;
 #pragma omp parallel for num_threads(n_threads_) schedule(static)
     for (std::int64_t row = 0; row < n_rows; ++row)
       body(static_cast<int>(row % ny), static_cast<int>(row / ny));
@@ -221,19 +255,38 @@ class LatticeBoltzmann final : public Fluid {
     return {lattice_, force_, kept_velocity_, last_turn(), settings_.inertia};
   }
 
+  /// What the rows of a sweep have met.
+  struct Met {
+    double highest_squared = 0.0;  ///< of the speed
+    std::int64_t first_bad_row;    ///< the number of rows if there is none
+  };
+
   template <bool inertia>
   double sweep(Turn turn) {
-    const int ny = settings_.shape.ny;
-    const std::int64_t n_rows = std::int64_t{ny} * settings_.shape.nz;
     const RowSweep<Real, inertia> sweep(
         SweepParts<Real>{lattice_, rates_, force_, kept_velocity_, limit_squared_}, turn);
-    double highest_squared = 0.0;
-    std::int64_t first_bad_row = n_rows;
+    Met met{0.0, shape().size() / shape().nx};
+    const std::int64_t none = met.first_bad_row;
+    advance(sweep, inner_rows_, met);
+    receive();  // while these rows went on, it came
+    advance(sweep, rows_at_cuts_, met);
+    if (met.first_bad_row < none) report_breakdown(met.first_bad_row);
+    return met.highest_squared;
+  }
+
+  template <bool inertia>
+  void advance(const RowSweep<Real, inertia>& sweep, const std::vector<std::int64_t>& rows, Met& met) {
+    if (rows.empty()) return;
+    const int ny = shape().ny;
+    const auto n_rows = static_cast<std::int64_t>(rows.size());
+    double highest_squared = met.highest_squared;
+    std::int64_t first_bad_row = met.first_bad_row;
 #pragma omp parallel num_threads(n_threads_) reduction(max : highest_squared) reduction(min : first_bad_row)
     {
       SpeedWatch<Real> watch;
 #pragma omp for schedule(static)
-      for (std::int64_t row = 0; row < n_rows; ++row) {
+      for (std::int64_t k = 0; k < n_rows; ++k) {
+        const std::int64_t row = rows[k];
         watch.n_bad = Pack<Real>{};
         sweep.advance(static_cast<int>(row % ny), static_cast<int>(row / ny), watch);
         if (any_lane(watch.n_bad)) first_bad_row = std::min(first_bad_row, row);
@@ -241,39 +294,45 @@ class LatticeBoltzmann final : public Fluid {
       for (int lane = 0; lane < pack_size<Real>; ++lane)
         highest_squared = std::max<double>(highest_squared, watch.highest_squared[lane]);
     }
-    if (first_bad_row < n_rows) report_breakdown(first_bad_row);
-    return highest_squared;
+    met = {highest_squared, first_bad_row};
   }
 
   /// Looks for the node that broke down in a row the step has just written.
   [[noreturn]] void report_breakdown(std::int64_t row) {
     ++step_;
-    const int ny = settings_.shape.ny;
+    const int ny = shape().ny;
     const int y = static_cast<int>(row % ny), z = static_cast<int>(row / ny);
+    const auto& begin = part_.begin;
     std::ostringstream message;
     message << "step " << step_ << ": ";
     auto reader = moment_reader();
-    for (int x = 0; x < settings_.shape.nx; ++x) {
-      const auto moments = reader.at(settings_.shape.index(x, y, z));
+    for (int x = 0; x < shape().nx; ++x) {
+      const auto moments = reader.at(shape().index(x, y, z));
       const auto& u = moments.velocity;
       const double speed = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
       if (speed < settings_.speed_limit) continue;
-      message << "the fluid velocity at node (" << x << ", " << y << ", " << z << ") is (" << u[0] << ", "
-              << u[1] << ", " << u[2] << "), density " << moments.density << "; "
+      message << "the fluid velocity at node (" << begin[0] + x << ", " << begin[1] + y << ", "
+              << begin[2] + z << ") is (" << u[0] << ", " << u[1] << ", " << u[2] << "), density "
+              << moments.density << "; "
               << (std::isfinite(speed) ? "its speed is over speed_limit, "
                                        : "it must be finite and its speed below speed_limit, ")
               << settings_.speed_limit;
       throw Breakdown(message.str());
     }
-    message << "the fluid speed reached speed_limit, " << settings_.speed_limit << " in row y = " << y
-            << ", z = " << z;
+    message << "the fluid speed reached speed_limit, " << settings_.speed_limit
+            << " in row y = " << begin[1] + y << ", z = " << begin[2] + z;
     throw Breakdown(message.str());
   }
 
   LatticeBoltzmannSettings settings_;
+  GridPart part_;
   Real limit_squared_;  ///< of the speed
   int n_threads_;
+  std::unique_ptr<HaloExchange> exchange_;
   PopulationLattice<Real> lattice_;
+  /// Of a part only. What comes from others may be received when it is asked for: nothing outside can tell.
+  mutable std::optional<PopulationHalo<Real>> halo_;
+  std::vector<std::int64_t> inner_rows_, rows_at_cuts_;  ///< numbers of rows, z ny + y
   NodeRates<Real> rates_;
   ForceField force_;
   KeptVelocity<Real> kept_velocity_;
@@ -283,10 +342,20 @@ class LatticeBoltzmann final : public Fluid {
 }  // namespace
 
 std::unique_ptr<Fluid> make_lattice_boltzmann(const LatticeBoltzmannSettings& settings) {
+  return make_lattice_boltzmann(settings, GridPart{{0, 0, 0}, settings.shape}, nullptr);
+}
+
+std::unique_ptr<Fluid> make_lattice_boltzmann(const LatticeBoltzmannSettings& settings, const GridPart& part,
+                                              std::unique_ptr<HaloExchange> exchange) {
   check(settings);
+  check(part, settings.shape);
+  const bool is_whole = part.shape == settings.shape;
+  if (is_whole == (exchange != nullptr))
+    refuse(is_whole ? "a part that is the whole box has nothing to exchange"
+                    : "a part of a box needs an exchange with the others");
   if (settings.storage == Storage::single_precision)
-    return std::make_unique<LatticeBoltzmann<float>>(settings);
-  return std::make_unique<LatticeBoltzmann<double>>(settings);
+    return std::make_unique<LatticeBoltzmann<float>>(settings, part, std::move(exchange));
+  return std::make_unique<LatticeBoltzmann<double>>(settings, part, std::move(exchange));
 }
 
 }  // namespace tanktread::fluid

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "fluid/fluid.hpp"
+#include "fluid/halo.hpp"
 
 namespace tanktread::fluid {
 
@@ -59,6 +60,19 @@ struct LatticeBoltzmannSettings {
 /// weights), "force" (3) and, after set_viscosity(), "viscosity" (1).
 /// @throws std::invalid_argument naming the setting that is out of range
 std::unique_ptr<Fluid> make_lattice_boltzmann(const LatticeBoltzmannSettings& settings);
+
+/// The same for a part of the box. It knows its own nodes only: shape(), node indices, states and arrays are
+/// those of the part, with node 0 at `part.begin`. Populations that cross its cuts go by `exchange`; the
+/// results are those of the whole box, to the last bit. Rows that do not touch a cut are advanced while
+/// messages travel; where the box is cut along x all rows do.
+///
+/// Velocity, moments, states and the power of walls are known without waiting. free_velocity(),
+/// dissipation(), restore() and step() wait for the neighbours' last step.
+/// @param settings of the whole box
+/// @param exchange not null, but if the part is the whole box
+/// @throws std::invalid_argument as above, or if the part does not lie in the box or is too small
+std::unique_ptr<Fluid> make_lattice_boltzmann(const LatticeBoltzmannSettings& settings, const GridPart& part,
+                                              std::unique_ptr<HaloExchange> exchange);
 
 /// Bytes of a number of the lattice.
 inline constexpr int bytes_of_number(Storage storage) {

@@ -8,11 +8,12 @@
 namespace tanktread::fluid {
 
 template <typename Real>
-NodeRates<Real>::NodeRates(const LatticeBoltzmannSettings& settings)
+NodeRates<Real>::NodeRates(const LatticeBoltzmannSettings& settings, const GridShape& shape)
     : settings_(settings),
+      shape_(shape),
       base_viscosity_(viscosity_of(settings)),
-      packs_a_row_((settings.shape.nx + pack_size<Real> - 1) / pack_size<Real>),
-      n_packs_(packs_a_row_ * settings.shape.ny * settings.shape.nz) {
+      packs_a_row_((shape.nx + pack_size<Real> - 1) / pack_size<Real>),
+      n_packs_(packs_a_row_ * shape.ny * shape.nz) {
   known_.fill(rates_of(0.0));
 }
 
@@ -21,7 +22,7 @@ void NodeRates<Real>::set(std::span<const std::int64_t> nodes, std::span<const d
   if (nodes.empty()) return;
   prepare();
   for (std::size_t k = 0; k < nodes.size(); ++k) viscosity_[nodes[k]] = kept(viscosity[k]);
-  const std::int64_t nx = settings_.shape.nx;
+  const std::int64_t nx = shape_.nx;
   // Nodes that follow each other in a pack are met together; to meet a pack again would change nothing.
   std::int64_t last_pack = -1;
   for (const std::int64_t node : nodes) {
@@ -50,7 +51,7 @@ void NodeRates<Real>::set_all(std::span<const double> viscosity) {
 
 template <typename Real>
 std::vector<double> NodeRates<Real>::viscosity() const {
-  std::vector<double> viscosity(settings_.shape.size(), base_viscosity_);
+  std::vector<double> viscosity(shape_.size(), base_viscosity_);
   if (!is_set()) return viscosity;
   for (std::size_t node = 0; node < viscosity.size(); ++node)
     if (viscosity_[node] != 0.0) viscosity[node] = viscosity_[node];
@@ -65,7 +66,7 @@ std::int64_t NodeRates<Real>::n_mixed() const {
 template <typename Real>
 void NodeRates<Real>::prepare() {
   if (is_set()) return;
-  const auto n_nodes = static_cast<std::size_t>(settings_.shape.size());
+  const auto n_nodes = static_cast<std::size_t>(shape_.size());
   std::unique_ptr<double[], Release> viscosity(static_cast<double*>(std::calloc(n_nodes, sizeof(double))));
   if (!viscosity) throw std::bad_alloc();
   auto of_mixed = std::make_unique_for_overwrite<Rates<Real>[]>(n_packs_);
@@ -78,7 +79,7 @@ void NodeRates<Real>::prepare() {
 /// Finds the class of a pack anew, from the viscosities of its nodes.
 template <typename Real>
 void NodeRates<Real>::classify(std::int64_t pack) {
-  const std::int64_t nx = settings_.shape.nx;
+  const std::int64_t nx = shape_.nx;
   const std::int64_t row = pack / packs_a_row_, x = pack % packs_a_row_ * pack_size<Real>;
   const std::span<const double> of_nodes(&viscosity_[row * nx + x],
                                          std::min<std::int64_t>(pack_size<Real>, nx - x));

@@ -24,7 +24,8 @@ namespace tanktread::fluid {
 template <typename Real>
 class NodeRates {
  public:
-  explicit NodeRates(const LatticeBoltzmannSettings& settings);
+  /// @param shape nodes of the solver, which may hold a part of the box of the settings
+  NodeRates(const LatticeBoltzmannSettings& settings, const GridShape& shape);
 
   /// Viscosities of the nodes listed, one after the other: of a node that is listed twice the last one
   /// counts.
@@ -71,6 +72,7 @@ class NodeRates {
   double kept(double viscosity) const { return viscosity == base_viscosity_ ? 0.0 : viscosity; }
 
   LatticeBoltzmannSettings settings_;
+  GridShape shape_;
   double base_viscosity_;  ///< that of the settings
   std::int64_t packs_a_row_, n_packs_;
 

@@ -9,10 +9,6 @@
 namespace tanktread::fluid {
 namespace {
 
-int wrapped(int position, int n) {
-  return position < 0 ? position + n : (position >= n ? position - n : position);
-}
-
 /// Walking 19 planes side by side needs 19 entries of the processor's page table at once, and new ones every
 /// 4096 bytes: with pages of 2 MiB a step takes a tenth less. A system that has none goes on without.
 void ask_for_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t n_bytes) {
@@ -24,39 +20,75 @@ void ask_for_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::siz
 }  // namespace
 
 template <typename Real>
-PopulationLattice<Real>::PopulationLattice(const GridShape& shape, const std::optional<WallPair>& walls)
-    : shape_(shape), walls_(walls) {
+PopulationLattice<Real>::PopulationLattice(const GridShape& box, const std::optional<WallPair>& walls,
+                                           const GridPart& part)
+    : box_{box.nx, box.ny, box.nz},
+      walls_(walls),
+      part_(part),
+      halo_{part.shape.nx < box.nx, part.shape.ny < box.ny, part.shape.nz < box.nz} {
+  allocate();
+  if (walls_) set_wall_gains();
+}
+
+template <typename Real>
+void PopulationLattice<Real>::allocate() {
   constexpr std::int64_t line = cache_line_bytes / sizeof(Real);  // numbers of a cache line, some packs
-  row_stride_ = (shape.nx + line - 1) / line * line;
+  const GridShape& shape = part_.shape;
+  // A halo along x has a line at each end, so that rows begin at a line. The last pack may reach into it.
+  const std::int64_t lead = halo_[0] * line;
+  row_stride_ = lead + (shape.nx + line - 1) / line * line + lead;
+  rows_a_layer_ = shape.ny + 2 * halo_[1];
   // The 19 planes are walked side by side. Were they a multiple of 4096 bytes apart, all would fall in the
   // same few sets of the first-level cache; were they little more than a power of two apart, in the same few
   // banks of the memory (at 128^3 a fifth slower). 91 lines more than a multiple of 16 KiB keep them apart in
   // both.
-  std::int64_t lines = std::int64_t{shape.ny} * shape.nz * row_stride_ / line;
+  std::int64_t lines = rows_a_layer_ * (shape.nz + 2 * halo_[2]) * row_stride_ / line;
   lines += (91 - lines % 256 + 256) % 256;
   plane_stride_ = lines * line;
   const std::size_t n_bytes = sizeof(Real) * plane_stride_ * d3q19::n_directions;
   planes_.reset(static_cast<Real*>(::operator new[](n_bytes, huge_page)));
   ask_for_huge_pages(planes_.get(), n_bytes);
-  if (walls_) {
-    for (int i = 0; i < d3q19::n_directions; ++i) {
-      const auto& c = d3q19::velocity[i];
-      if (c[walls_->axis] == 0) continue;
-      // A population that comes in with c > 0 along the wall axis was sent back by the low wall.
-      const auto& wall = c[walls_->axis] > 0 ? walls_->low_velocity : walls_->high_velocity;
-      wall_gain_[i] = static_cast<Real>(2.0 * d3q19::weight(i) * d3q19::inverse_sound_speed_squared *
-                                        (c[0] * wall[0] + c[1] * wall[1] + c[2] * wall[2]));
-    }
+  first_row_ = planes_.get() + (halo_[2] * rows_a_layer_ + halo_[1]) * row_stride_ + lead;
+}
+
+template <typename Real>
+void PopulationLattice<Real>::set_wall_gains() {
+  for (int i = 0; i < d3q19::n_directions; ++i) {
+    const auto& c = d3q19::velocity[i];
+    if (c[walls_->axis] == 0) continue;
+    // A population that comes in with c > 0 along the wall axis was sent back by the low wall.
+    const auto& wall = c[walls_->axis] > 0 ? walls_->low_velocity : walls_->high_velocity;
+    wall_gain_[i] = static_cast<Real>(2.0 * d3q19::weight(i) * d3q19::inverse_sound_speed_squared *
+                                      (c[0] * wall[0] + c[1] * wall[1] + c[2] * wall[2]));
   }
+}
+
+template <typename Real>
+bool PopulationLattice<Real>::has_neighbour(const std::array<int, 3>& direction) const {
+  const std::array<int, 3> n = {shape().nx, shape().ny, shape().nz};
+  bool other = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (direction[axis] == 0) continue;
+    if (!is_cut(axis)) return false;
+    const int behind = direction[axis] < 0 ? part_.begin[axis] - 1 : part_.begin[axis] + n[axis];
+    if (walls_ && walls_->axis == axis && (behind < 0 || behind >= box_[axis])) return false;
+    other = true;
+  }
+  return other;
 }
 
 template <typename Real>
 bool PopulationLattice<Real>::from_wall(int direction, int x, int y, int z) const {
   if (!walls_) return false;
-  const int position = walls_->axis == 0 ? x : (walls_->axis == 1 ? y : z);
-  const int n = walls_->axis == 0 ? shape_.nx : (walls_->axis == 1 ? shape_.ny : shape_.nz);
-  const int source = position - d3q19::velocity[direction][walls_->axis];
-  return source < 0 || source >= n;
+  const int axis = walls_->axis, position = axis == 0 ? x : (axis == 1 ? y : z);
+  const int source = part_.begin[axis] + position - d3q19::velocity[direction][axis];
+  return source < 0 || source >= box_[axis];
+}
+
+template <typename Real>
+int PopulationLattice<Real>::in_memory(int position, int axis) const {
+  if (is_cut(axis)) return position;
+  return position < 0 ? position + box_[axis] : (position >= box_[axis] ? position - box_[axis] : position);
 }
 
 template <typename Real>
@@ -64,15 +96,15 @@ Real* PopulationLattice<Real>::row_slot(Turn turn, int direction, int y, int z) 
   // x = 1 stands for any x away from the ends of the row: only walls across y and z matter here.
   if (turn == Turn::local || from_wall(direction, 1, y, z)) return row(direction, y, z);
   const auto& c = d3q19::velocity[direction];
-  return row(d3q19::opposite(direction), wrapped(y - c[1], shape_.ny), wrapped(z - c[2], shape_.nz)) - c[0];
+  return row(d3q19::opposite(direction), in_memory(y - c[1], 1), in_memory(z - c[2], 2)) - c[0];
 }
 
 template <typename Real>
 Real* PopulationLattice<Real>::slot(Turn turn, int direction, int x, int y, int z) const {
   if (turn == Turn::local || from_wall(direction, x, y, z)) return row(direction, y, z) + x;
   const auto& c = d3q19::velocity[direction];
-  return row(d3q19::opposite(direction), wrapped(y - c[1], shape_.ny), wrapped(z - c[2], shape_.nz)) +
-         wrapped(x - c[0], shape_.nx);
+  return row(d3q19::opposite(direction), in_memory(y - c[1], 1), in_memory(z - c[2], 2)) +
+         in_memory(x - c[0], 0);
 }
 
 template <typename Real>

@@ -9,6 +9,7 @@
 
 #include "fluid/d3q19.hpp"
 #include "fluid/fluid.hpp"
+#include "fluid/halo.hpp"
 #include "fluid/lattice_boltzmann.hpp"
 
 namespace tanktread::fluid {
@@ -23,18 +24,30 @@ namespace tanktread::fluid {
 enum class Turn { local, streaming };
 
 /// One array of 19 planes; each plane holds rows along x, padded to whole cache lines (what the padding holds
-/// is of no meaning). @tparam Real double or float
+/// is of no meaning). Along an axis that is cut there is a halo, one node more at each end: x, y, z of -1 or n
+/// (PopulationHalo). Nodes are counted from the first of the part. @tparam Real double or float
 template <typename Real>
 class PopulationLattice {
  public:
-  PopulationLattice(const GridShape& shape, const std::optional<WallPair>& walls);
+  /// @param box all of it, of which the lattice holds `part`
+  PopulationLattice(const GridShape& box, const std::optional<WallPair>& walls, const GridPart& part);
 
-  const GridShape& shape() const { return shape_; }
+  /// Of the part, without the halo.
+  const GridShape& shape() const { return part_.shape; }
 
   /// Start of the row (y, z) of plane i.
   Real* row(int direction, int y, int z) const {
-    return planes_.get() + direction * plane_stride_ + (std::int64_t{z} * shape_.ny + y) * row_stride_;
+    return first_row_ + direction * plane_stride_ + (std::int64_t{z} * rows_a_layer_ + y) * row_stride_;
   }
+
+  /// The part does not reach from end to end of the box along an axis.
+  bool is_cut(int axis) const { return halo_[axis] != 0; }
+
+  /// What leaves the part at one end of an axis comes in at its other end.
+  bool wraps(int axis) const { return !is_cut(axis) && !(walls_ && walls_->axis == axis); }
+
+  /// Whether the box goes on behind the cuts in a direction (-1, 0 or 1 along x, y, z).
+  bool has_neighbour(const std::array<int, 3>& direction) const;
 
   /// Address of slot (i, x) for x = 0 .. nx-1 of row (y, z), as if the row went on at both ends: right for
   /// every x at which x - c_i does not leave the row; elsewhere use slot().
@@ -63,10 +76,19 @@ class PopulationLattice {
   struct Release {
     void operator()(Real* memory) const { ::operator delete[](memory, huge_page); }
   };
-  GridShape shape_;
+
+  void allocate();
+  void set_wall_gains();
+  /// Where the nodes at `position` along y or z lie in memory.
+  int in_memory(int position, int axis) const;
+
+  std::array<int, 3> box_;  ///< nodes along each axis
   std::optional<WallPair> walls_;
-  std::int64_t row_stride_ = 0, plane_stride_ = 0;
+  GridPart part_;
+  std::array<int, 3> halo_;  ///< nodes that the halo has at each end: 0 or 1
+  std::int64_t rows_a_layer_ = 0, row_stride_ = 0, plane_stride_ = 0;
   std::unique_ptr<Real[], Release> planes_;
+  Real* first_row_ = nullptr;  ///< of plane 0
   std::array<Real, d3q19::n_directions> wall_gain_{};
 };
 

@@ -27,7 +27,9 @@ struct RowSlots {
       at[i] = lattice.row_slot(turn, i, y, z);
       const int c = d3q19::velocity[i][0];
       if (c == 0 || at[i] == lattice.row(i, y, z)) continue;
-      beyond[i] = lattice.slot(turn, i, c > 0 ? 0 : lattice.shape().nx - 1, y, z);
+      const int end = c > 0 ? 0 : lattice.shape().nx - 1;
+      Real* const place = lattice.slot(turn, i, end, y, z);
+      if (place != at[i] + end) beyond[i] = place;  // else in the halo
     }
   }
 

@@ -51,6 +51,19 @@ void check(const LatticeBoltzmannSettings& settings) {
   }
 }
 
+void check(const GridPart& part, const GridShape& box) {
+  const std::array<const char*, 3> axis = {"x", "y", "z"};
+  const std::array<int, 3> least = {3, 1, 1}, n = {part.shape.nx, part.shape.ny, part.shape.nz},
+                           n_box = {box.nx, box.ny, box.nz};
+  for (int k = 0; k < 3; ++k) {
+    const std::string along = std::string(" along ") + axis[k];
+    require(n[k] >= least[k] && n[k] <= n_box[k], "part.shape" + along, n[k],
+            std::to_string(least[k]) + " to " + std::to_string(n_box[k]) + ", the nodes of the box");
+    require(part.begin[k] >= 0 && part.begin[k] <= n_box[k] - n[k], "part.begin" + along, part.begin[k],
+            "0 to " + std::to_string(n_box[k] - n[k]) + ", so that the part ends within the box");
+  }
+}
+
 double viscosity_of(const LatticeBoltzmannSettings& settings) {
   return (settings.relaxation_time - 0.5) / d3q19::inverse_sound_speed_squared;
 }

@@ -9,6 +9,9 @@ namespace tanktread::fluid {
 /// Throws std::invalid_argument naming the setting, its value, the allowed range.
 void check(const LatticeBoltzmannSettings& settings);
 
+/// The same for a part of a box that has this shape.
+void check(const GridPart& part, const GridShape& box);
+
 /// nu = (tau+ - 1/2)/3.
 double viscosity_of(const LatticeBoltzmannSettings& settings);
 

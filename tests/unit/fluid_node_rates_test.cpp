@@ -45,7 +45,7 @@ void expect_only_cut_packs_mixed(Storage storage) {
   settings.shape = {75, 20, 20};
   settings.relaxation_time = 0.7;
   settings.storage = storage;
-  NodeRates<Real> rates(settings);
+  NodeRates<Real> rates(settings, settings.shape);
   EXPECT_EQ(rates.n_mixed(), 0);
   for (int step = 0; step < 100; ++step) {
     const std::vector<std::int64_t> nodes = ball(settings.shape, 10.0 + step % 50, 9.3);

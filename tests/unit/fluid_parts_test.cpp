@@ -1,0 +1,249 @@
+// A box in parts is the whole box, to the last bit, wherever it is cut.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <deque>
+
+#include "tests/unit/fluid_parts.hpp"
+
+namespace tanktread::fluid::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// Messages that have been sent, by the part that they go to and where it sees them come from.
+using Post = std::map<std::pair<int, std::array<int, 3>>, std::deque<std::vector<std::byte>>>;
+
+std::array<int, 3> opposite(const std::array<int, 3>& direction) {
+  return {-direction[0], -direction[1], -direction[2]};
+}
+
+/// An exchange within one program.
+class PostExchange final : public HaloExchange {
+ public:
+  PostExchange(Post& post, const Cuts& cuts, int part) : post_(post), cuts_(cuts), part_(part) {}
+
+  void connect(std::span<const HaloMessage> messages) override {
+    messages_.assign(messages.begin(), messages.end());
+  }
+  void start() override {
+    for (const auto& message : messages_) {
+      auto& box = post_[{neighbour_of(cuts_, part_, message.direction), opposite(message.direction)}];
+      box.emplace_back(message.outgoing.begin(), message.outgoing.end());
+      EXPECT_LE(box.size(), 2u) << "more than one message waits for one that is still to be read";
+    }
+  }
+  void finish() override {
+    for (const auto& message : messages_) {
+      auto& box = post_[{part_, message.direction}];
+      ASSERT_FALSE(box.empty()) << "part " << part_ << " waits for what was never sent";
+      ASSERT_EQ(box.front().size(), message.incoming.size());
+      std::copy(box.front().begin(), box.front().end(), message.incoming.begin());
+      box.pop_front();
+    }
+  }
+
+ private:
+  Post& post_;
+  const Cuts& cuts_;
+  int part_;
+  std::vector<HaloMessage> messages_;
+};
+
+/// All parts of a box, one after the other.
+struct Parts {
+  Parts(const LatticeBoltzmannSettings& settings, const Cuts& where) : box(settings.shape), cuts(where) {
+    for (int part = 0; part < n_parts(cuts); ++part) {
+      nodes.push_back(nodes_of(box, part_of(cuts, part)));
+      fluids.push_back(make_lattice_boltzmann(settings, part_of(cuts, part),
+                                              std::make_unique<PostExchange>(post, cuts, part)));
+    }
+  }
+  void restore(const State& state) {
+    for (std::size_t k = 0; k < fluids.size(); ++k) fluids[k]->restore(taken(state, nodes[k]));
+  }
+
+  GridShape box;
+  Cuts cuts;
+  Post post;
+  std::vector<std::unique_ptr<Fluid>> fluids;
+  std::vector<std::vector<std::int64_t>> nodes;  ///< of the box, for each part
+};
+
+struct Division {
+  GridShape box;
+  Cuts cuts;
+};
+void PrintTo(const Division& division, std::ostream* out) {
+  *out << division.box.nx << " x " << division.box.ny << " x " << division.box.nz << " in "
+       << division.cuts[0].size() - 1 << " x " << division.cuts[1].size() - 1 << " x "
+       << division.cuts[2].size() - 1;
+}
+
+// Two parts (each the other's neighbour on both sides), three, parts of one node, of unequal lengths; along
+// one axis, two and three; rows of less than a pack, of whole packs and of a remainder.
+const Division divisions[] = {
+    {{27, 7, 6}, {{{0, 27}, {0, 7}, {0, 3, 6}}}},
+    {{27, 7, 6}, {{{0, 27}, {0, 7}, {0, 1, 2, 6}}}},
+    {{27, 7, 6}, {{{0, 27}, {0, 2, 3, 7}, {0, 6}}}},
+    {{27, 7, 6}, {{{0, 27}, {0, 4, 7}, {0, 2, 6}}}},
+    {{27, 7, 6}, {{{0, 16, 27}, {0, 7}, {0, 6}}}},
+    {{9, 5, 4}, {{{0, 3, 6, 9}, {0, 5}, {0, 4}}}},
+    {{27, 5, 4}, {{{0, 3, 24, 27}, {0, 5}, {0, 2, 4}}}},
+    {{40, 5, 4}, {{{0, 16, 40}, {0, 2, 5}, {0, 3, 4}}}},
+    {{18, 3, 3}, {{{0, 7, 18}, {0, 1, 2, 3}, {0, 1, 2, 3}}}},
+};
+
+class FluidParts : public testing::TestWithParam<std::tuple<Storage, int, Division>> {
+ protected:
+  LatticeBoltzmannSettings settings(int threads = 1) const {
+    const auto& [storage, wall_axis, division] = GetParam();
+    LatticeBoltzmannSettings settings;
+    settings.storage = storage;
+    settings.shape = division.box;
+    if (wall_axis >= 0) settings.walls = moving_walls(wall_axis);
+    if (wall_axis >= 0) settings.start = Start::developed;
+    settings.relaxation_time = 0.7;
+    settings.body_force = {0, 0, 0};  // so that nodes without a force take their own way
+    settings.threads = threads;
+    return settings;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(every, FluidParts,
+                         testing::Combine(testing::ValuesIn(storages), testing::Values(-1, 0, 1, 2),
+                                          testing::ValuesIn(divisions)));
+
+// Forces that change every step, a viscosity a node, populations far from equilibrium. What the solvers say
+// is asked for after some of the steps only, so that messages are received by a step and by a question.
+TEST_P(FluidParts, are_the_whole_box) {
+  const auto whole = make_lattice_boltzmann(settings());
+  const auto& division = std::get<2>(GetParam());
+  Parts parts(settings(2), division.cuts);
+  for (std::size_t k = 0; k < parts.fluids.size(); ++k)
+    EXPECT_EQ(difference(parts.fluids[k]->state(), taken(whole->state(), parts.nodes[k])), "") << "at the start";
+  disturb(*whole);
+  parts.restore(whole->state());
+  const auto viscosity = random_viscosity(division.box);
+  whole->set_viscosity(viscosity);
+  for (std::size_t k = 0; k < parts.fluids.size(); ++k)
+    parts.fluids[k]->set_viscosity(taken(viscosity, 1, parts.nodes[k]));
+
+  for (int step = 0; step < 9; ++step) {
+    const auto forces = some_forces(division.box, static_cast<unsigned>(step));
+    whole->clear_force();
+    whole->add_force(forces.nodes, forces.force);
+    const double highest_speed = whole->step();
+    const auto state = whole->state();
+    const bool asks = step % 3 != 0;
+    const auto expected = asks ? said(*whole) : Said{};
+    double highest_of_parts = 0.0;
+    for (std::size_t k = 0; k < parts.fluids.size(); ++k) {
+      auto& fluid = *parts.fluids[k];
+      fluid.clear_force();
+      const auto own = taken(forces, parts.nodes[k]);
+      fluid.add_force(own.nodes, own.force);
+      highest_of_parts = std::max(highest_of_parts, fluid.step());
+    }
+    EXPECT_EQ(highest_of_parts, highest_speed);
+    for (std::size_t k = 0; k < parts.fluids.size(); ++k) {
+      EXPECT_EQ(difference(parts.fluids[k]->state(), taken(state, parts.nodes[k])), "")
+          << "part " << k << " after step " << step;
+      if (asks) {
+        EXPECT_TRUE(said(*parts.fluids[k]) == taken(expected, parts.nodes[k])) << "part " << k;
+      }
+    }
+  }
+}
+
+// A state of the whole box, after either turn, goes on in parts, in the middle of an exchange too.
+TEST_P(FluidParts, go_on_from_a_state_of_the_whole_box) {
+  const auto& division = std::get<2>(GetParam());
+  for (const int n_before : {4, 5}) {
+    const auto whole = make_lattice_boltzmann(settings());
+    disturb(*whole);
+    steps(*whole, n_before);
+    Parts parts(settings(), division.cuts);
+    for (auto& fluid : parts.fluids) fluid->step();
+    parts.restore(whole->state());
+    for (int step = 0; step < 3; ++step) {
+      whole->step();
+      for (auto& fluid : parts.fluids) fluid->step();
+    }
+    for (std::size_t k = 0; k < parts.fluids.size(); ++k)
+      EXPECT_EQ(difference(parts.fluids[k]->state(), taken(whole->state(), parts.nodes[k])), "") << "part " << k;
+  }
+}
+
+// The sums have another order: n additions of numbers whose magnitudes add up to `magnitude` round by
+// n eps magnitude at most, and n here is the links of all nodes at the walls.
+TEST_P(FluidParts, share_the_power_of_the_walls) {
+  const auto& [storage, wall_axis, division] = GetParam();
+  const auto whole = make_lattice_boltzmann(settings());
+  disturb(*whole);
+  Parts parts(settings(), division.cuts);
+  parts.restore(whole->state());
+  double power = 0.0, magnitude = 0.0;
+  for (auto& fluid : parts.fluids) {
+    power += fluid->wall_power();
+    magnitude += std::abs(fluid->wall_power());
+  }
+  const double n_links = 5.0 * static_cast<double>(division.box.size());
+  EXPECT_NEAR(power, whole->wall_power(), n_links * eps * std::max(1.0, magnitude));
+  if (wall_axis >= 0) {
+    EXPECT_GT(magnitude, 1e-6);
+  }
+}
+
+class FluidPartSettings : public testing::Test {
+ protected:
+  static LatticeBoltzmannSettings settings() {
+    LatticeBoltzmannSettings settings;
+    settings.shape = {19, 5, 4};
+    settings.threads = 1;
+    return settings;
+  }
+  static std::string refusal_of(const GridPart& part, bool with_exchange = true) {
+    static Post post;
+    static const Cuts cuts = {{{0, 19}, {0, 5}, {0, 2, 4}}};
+    try {
+      make_lattice_boltzmann(settings(), part,
+                             with_exchange ? std::make_unique<PostExchange>(post, cuts, 0) : nullptr);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+TEST_F(FluidPartSettings, a_part_must_lie_in_the_box) {
+  EXPECT_EQ(refusal_of({{0, 0, 2}, {19, 5, 2}}), "");
+  EXPECT_THAT(refusal_of({{0, 0, 3}, {19, 5, 2}}), AllOf(HasSubstr("part.begin along z is 3"), HasSubstr("0 to 2")));
+  EXPECT_THAT(refusal_of({{0, -1, 0}, {19, 2, 4}}), AllOf(HasSubstr("part.begin along y is -1"), HasSubstr("0 to 3")));
+  EXPECT_THAT(refusal_of({{0, 0, 0}, {2, 5, 4}}), AllOf(HasSubstr("part.shape along x is 2"), HasSubstr("3 to 19")));
+  EXPECT_THAT(refusal_of({{0, 0, 0}, {19, 6, 4}}), AllOf(HasSubstr("part.shape along y is 6"), HasSubstr("1 to 5")));
+  EXPECT_THAT(refusal_of({{0, 0, 0}, {19, 5, 0}}), AllOf(HasSubstr("part.shape along z is 0"), HasSubstr("1 to 4")));
+}
+
+TEST_F(FluidPartSettings, a_part_and_an_exchange_belong_together) {
+  EXPECT_THAT(refusal_of({{0, 0, 2}, {19, 5, 2}}, false), HasSubstr("needs an exchange"));
+  EXPECT_THAT(refusal_of({{0, 0, 0}, {19, 5, 4}}, true), HasSubstr("nothing to exchange"));
+  EXPECT_EQ(refusal_of({{0, 0, 0}, {19, 5, 4}}, false), "");
+}
+
+TEST_F(FluidPartSettings, a_breakdown_names_the_node_of_the_box) {
+  Parts parts(settings(), {{{0, 8, 19}, {0, 1, 5}, {0, 2, 4}}});
+  auto& last = *parts.fluids.back();
+  last.add_force(std::vector{last.shape().index(3, 2, 1)}, Numbers{0, 1.0, 0});
+  try {
+    last.step();
+    ADD_FAILURE() << "the step went on";
+  } catch (const Breakdown& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("step 1:"), HasSubstr("(11, 3, 3)")));
+  }
+}
+
+}  // namespace
+}  // namespace tanktread::fluid::test
