@@ -18,7 +18,7 @@ struct GridPart {
 
 /// Numbers that go to a neighbour of a part, and as many that come from it, once a step.
 struct HaloMessage {
-  std::array<int, 3> direction;   ///< where it is: -1, 0 or 1 along x, y, z; round the box if that is periodic
+  std::array<int, 3> direction;  ///< where it is: -1, 0 or 1 along x, y, z; round the box if that is periodic
   std::span<std::byte> outgoing;  ///< the neighbour finds it in its message of the opposite direction
   std::span<std::byte> incoming;  ///< as long as `outgoing`
 };

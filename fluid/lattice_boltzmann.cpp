@@ -45,9 +45,9 @@ class LatticeBoltzmann final : public Fluid {
     sort_rows();
     for_each_row([&](int y, int z) {
       for (int x = 0; x < shape().nx; ++x)
-        put_outgoing(x, y, z,
-                     start_populations(settings_, part_.begin[0] + x, part_.begin[1] + y, part_.begin[2] + z)
-                         .data());
+        put_outgoing(
+            x, y, z,
+            start_populations(settings_, part_.begin[0] + x, part_.begin[1] + y, part_.begin[2] + z).data());
     });
     if (halo_) halo_->send(last_turn());
   }

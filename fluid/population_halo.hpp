@@ -13,8 +13,8 @@
 namespace tanktread::fluid {
 
 /// Brings populations across the cuts. In a streaming step a node takes and leaves populations in the places
-/// of its neighbours (Turn). Where a neighbour is beyond a cut, these places are in the halo, a layer of nodes
-/// around the part:
+/// of its neighbours (Turn). Where a neighbour is beyond a cut, these places are in the halo, a layer of
+/// nodes around the part:
 ///   after a local step what neighbours left for us is at the border of their parts: it is brought to the
 ///   halo;
 ///   after a streaming step what we left for neighbours is in the halo: it is brought to their border.

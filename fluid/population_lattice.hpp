@@ -24,8 +24,8 @@ namespace tanktread::fluid {
 enum class Turn { local, streaming };
 
 /// One array of 19 planes; each plane holds rows along x, padded to whole cache lines (what the padding holds
-/// is of no meaning). Along an axis that is cut there is a halo, one node more at each end: x, y, z of -1 or n
-/// (PopulationHalo). Nodes are counted from the first of the part. @tparam Real double or float
+/// is of no meaning). Along an axis that is cut there is a halo, one node more at each end: x, y, z of -1 or
+/// n (PopulationHalo). Nodes are counted from the first of the part. @tparam Real double or float
 template <typename Real>
 class PopulationLattice {
  public:

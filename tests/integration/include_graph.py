@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Checks that the components are a star, and the rooms of the driver an order: who may include, and link, whom.
 
-fluid, membrane and coupler know neither each other nor exchange nor driver; exchange knows none of the others; driver
-knows all. Within driver/ each folder is a room, and a room knows only rooms below it, so that there is no circle.
+fluid, membrane and coupler know neither each other nor exchange nor driver; exchange and ranks know none of the others;
+driver knows all. Within driver/ each folder is a room, and a room knows only rooms below it, so that there is no circle.
 Outside libraries are known only where they belong. A header or library that is in no list here is a violation too, so
 that a new dependency is a decision and not an accident.
 
@@ -13,10 +13,10 @@ import pathlib
 import re
 import sys
 
-COMPONENTS = ("fluid", "membrane", "coupler", "exchange", "driver")
+COMPONENTS = ("fluid", "membrane", "coupler", "exchange", "ranks", "driver")
 
 # Which components a component may include and link, besides itself.
-KNOWS = {"fluid": (), "membrane": (), "coupler": (), "exchange": (), "driver": COMPONENTS}
+KNOWS = {"fluid": (), "membrane": (), "coupler": (), "exchange": (), "ranks": (), "driver": COMPONENTS}
 
 # The rooms of driver/ from the ground up, each with the rooms it may know besides itself: only such as stand above it in
 # this list. What lies in driver/ itself (main.cpp, command_line.cpp) may know all.
@@ -45,6 +45,7 @@ LIBRARIES = (
     ("fmt", re.compile(r"fmt/"), ("exchange", "driver")),
     ("xxHash", re.compile(r"xxhash\.h$"), ("exchange",)),
     ("OpenMP", re.compile(r"omp\.h$"), ("fluid", "membrane", "coupler", "driver")),
+    ("MPI", re.compile(r"mpi\.h$"), ("ranks",)),
     ("memory pages", re.compile(r"sys/mman\.h$"), ("fluid",)),
     ("POSIX", re.compile(r"(unistd|fcntl|poll|spawn|sys/\w+)\.h$"), ("exchange", "driver")),
 )
@@ -56,6 +57,7 @@ TARGETS = (
     ("CLI11", "CLI11::"),
     ("fmt", "fmt::"),
     ("OpenMP", "OpenMP::"),
+    ("MPI", "MPI::"),
 )
 ALLOWED = {name: components for name, _, components in LIBRARIES}
 

@@ -123,7 +123,8 @@ TEST_P(FluidParts, are_the_whole_box) {
   const auto& division = std::get<2>(GetParam());
   Parts parts(settings(2), division.cuts);
   for (std::size_t k = 0; k < parts.fluids.size(); ++k)
-    EXPECT_EQ(difference(parts.fluids[k]->state(), taken(whole->state(), parts.nodes[k])), "") << "at the start";
+    EXPECT_EQ(difference(parts.fluids[k]->state(), taken(whole->state(), parts.nodes[k])), "")
+        << "at the start";
   disturb(*whole);
   parts.restore(whole->state());
   const auto viscosity = random_viscosity(division.box);
@@ -173,7 +174,8 @@ TEST_P(FluidParts, go_on_from_a_state_of_the_whole_box) {
       for (auto& fluid : parts.fluids) fluid->step();
     }
     for (std::size_t k = 0; k < parts.fluids.size(); ++k)
-      EXPECT_EQ(difference(parts.fluids[k]->state(), taken(whole->state(), parts.nodes[k])), "") << "part " << k;
+      EXPECT_EQ(difference(parts.fluids[k]->state(), taken(whole->state(), parts.nodes[k])), "")
+          << "part " << k;
   }
 }
 
@@ -220,11 +222,16 @@ class FluidPartSettings : public testing::Test {
 
 TEST_F(FluidPartSettings, a_part_must_lie_in_the_box) {
   EXPECT_EQ(refusal_of({{0, 0, 2}, {19, 5, 2}}), "");
-  EXPECT_THAT(refusal_of({{0, 0, 3}, {19, 5, 2}}), AllOf(HasSubstr("part.begin along z is 3"), HasSubstr("0 to 2")));
-  EXPECT_THAT(refusal_of({{0, -1, 0}, {19, 2, 4}}), AllOf(HasSubstr("part.begin along y is -1"), HasSubstr("0 to 3")));
-  EXPECT_THAT(refusal_of({{0, 0, 0}, {2, 5, 4}}), AllOf(HasSubstr("part.shape along x is 2"), HasSubstr("3 to 19")));
-  EXPECT_THAT(refusal_of({{0, 0, 0}, {19, 6, 4}}), AllOf(HasSubstr("part.shape along y is 6"), HasSubstr("1 to 5")));
-  EXPECT_THAT(refusal_of({{0, 0, 0}, {19, 5, 0}}), AllOf(HasSubstr("part.shape along z is 0"), HasSubstr("1 to 4")));
+  EXPECT_THAT(refusal_of({{0, 0, 3}, {19, 5, 2}}),
+              AllOf(HasSubstr("part.begin along z is 3"), HasSubstr("0 to 2")));
+  EXPECT_THAT(refusal_of({{0, -1, 0}, {19, 2, 4}}),
+              AllOf(HasSubstr("part.begin along y is -1"), HasSubstr("0 to 3")));
+  EXPECT_THAT(refusal_of({{0, 0, 0}, {2, 5, 4}}),
+              AllOf(HasSubstr("part.shape along x is 2"), HasSubstr("3 to 19")));
+  EXPECT_THAT(refusal_of({{0, 0, 0}, {19, 6, 4}}),
+              AllOf(HasSubstr("part.shape along y is 6"), HasSubstr("1 to 5")));
+  EXPECT_THAT(refusal_of({{0, 0, 0}, {19, 5, 0}}),
+              AllOf(HasSubstr("part.shape along z is 0"), HasSubstr("1 to 4")));
 }
 
 TEST_F(FluidPartSettings, a_part_and_an_exchange_belong_together) {

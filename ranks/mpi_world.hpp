@@ -1,0 +1,16 @@
+// What World holds with MPI. Internal to ranks/.
+#pragma once
+
+#include <mpi.h>
+
+#include "ranks/world.hpp"
+
+namespace tanktread::ranks {
+
+/// Of our own, so that no message meets one of a library.
+struct World::Communicator {
+  MPI_Comm all = MPI_COMM_NULL;
+  bool began = false;  ///< MPI was begun here, and is to be ended here
+};
+
+}  // namespace tanktread::ranks

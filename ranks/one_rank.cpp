@@ -1,0 +1,44 @@
+// World and NeighbourMessages of a program without MPI.
+#include <cstdlib>
+#include <stdexcept>
+
+#include "ranks/neighbour_messages.hpp"
+#include "ranks/world.hpp"
+
+namespace tanktread::ranks {
+
+struct World::Communicator {};
+struct NeighbourMessages::Requests {};
+
+World::World(int*, char***) {}
+World::~World() = default;
+
+const char* World::library() {
+  return "none";
+}
+
+void World::abort(int exit_code) const {
+  std::_Exit(exit_code);
+}
+
+void World::wait_for_all() const {}
+
+double World::highest(double number) const {
+  return number;
+}
+
+std::vector<std::byte> World::gather(std::span<const std::byte> bytes) const {
+  return {bytes.begin(), bytes.end()};
+}
+
+NeighbourMessages::NeighbourMessages(const World&, const Division&,
+                                     std::span<const NeighbourMessage> messages) {
+  if (!messages.empty())
+    throw std::logic_error("this program was built without MPI (TANKTREAD_MPI): it has no neighbours");
+}
+NeighbourMessages::~NeighbourMessages() = default;
+
+void NeighbourMessages::start() {}
+void NeighbourMessages::finish() {}
+
+}  // namespace tanktread::ranks

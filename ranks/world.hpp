@@ -1,0 +1,52 @@
+// The ranks of a run: who they are, what they gather, how they end.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace tanktread::ranks {
+
+/// Built with TANKTREAD_MPI, the processes that mpirun has started; else, and without mpirun, this one alone.
+/// One a program, made before all else in main(). Its functions are for the thread that made it; all ranks
+/// call those that say "together", in the same order.
+class World {
+ public:
+  /// Begins MPI, if that has not begun. The arguments are those of main().
+  /// @throws std::runtime_error if MPI cannot begin
+  World(int* argc, char*** argv);
+  /// Ends MPI. Together.
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  int rank() const { return rank_; }
+  int size() const { return size_; }
+  bool is_first() const { return rank_ == 0; }
+
+  /// "Open MPI 4.1.4", "none".
+  static const char* library();
+
+  /// Ends all ranks at once with this exit code, wherever they are. What this rank has to say must have been
+  /// said and flushed.
+  [[noreturn]] void abort(int exit_code) const;
+
+  /// Returns when all have called it. Together.
+  void wait_for_all() const;
+
+  /// The highest of all ranks' numbers, on each of them; no number may be NaN. Together.
+  double highest(double number) const;
+
+  /// On the first rank what all have given, one after the other in the order of the ranks; elsewhere empty.
+  /// So a sum over ranks can be done in one order. Together.
+  std::vector<std::byte> gather(std::span<const std::byte> bytes) const;
+
+ private:
+  friend class NeighbourMessages;
+  struct Communicator;
+  std::unique_ptr<Communicator> communicator_;
+  int rank_ = 0, size_ = 1;
+};
+
+}  // namespace tanktread::ranks

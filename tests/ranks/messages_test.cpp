@@ -1,0 +1,102 @@
+// What ranks tell each other, on any number of them.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <string>
+
+#include "ranks/neighbour_messages.hpp"
+#include "tests/ranks/world.hpp"
+
+namespace tanktread::ranks::test {
+namespace {
+
+TEST(RanksWorld, finds_the_highest_number) {
+  const auto& world = *all_ranks;
+  EXPECT_EQ(world.highest(world.rank()), world.size() - 1);
+  EXPECT_EQ(world.highest(-world.rank()), 0);
+}
+
+TEST(RanksWorld, gathers_in_the_order_of_the_ranks) {
+  const auto& world = *all_ranks;
+  const std::string own(static_cast<std::size_t>(world.rank() % 3), static_cast<char>('a' + world.rank()));
+  const auto gathered = world.gather(std::as_bytes(std::span(own)));
+  std::string expected;
+  for (int rank = 0; rank < world.size(); ++rank)
+    expected += std::string(rank % 3, static_cast<char>('a' + rank));
+  if (!world.is_first()) expected.clear();
+  EXPECT_EQ(std::string(reinterpret_cast<const char*>(gathered.data()), gathered.size()), expected);
+}
+
+/// What a rank sends in a direction in a round.
+std::string text(int rank, const Triple& direction, int round) {
+  std::string text = std::to_string(rank) + ":" + std::to_string(direction[0]) +
+                     std::to_string(direction[1]) + std::to_string(direction[2]) + ":" +
+                     std::to_string(round);
+  text.resize(20);
+  return text;
+}
+
+// Along every axis of every division, with walls and without: an axis of two ranks has the same neighbour on
+// both sides, one of one rank itself, and none may be mistaken for the other. A rank may be late.
+TEST(RanksMessages, come_from_where_they_were_sent) {
+  const auto& world = *all_ranks;
+  for (const bool periodic : {true, false}) {
+    for (int x = 1; x <= world.size(); ++x) {
+      for (int y = 1; x * y <= world.size(); ++y) {
+        if (world.size() % (x * y) != 0) continue;
+        const Division division({{30, 30, 30}, {true, true, periodic}}, {x, y, world.size() / (x * y)});
+        std::vector<Triple> directions;
+        for (int d = 0; d < 27; ++d) {
+          const Triple direction = {d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1};
+          if (d != 13 && division.neighbour(world.rank(), direction)) directions.push_back(direction);
+        }
+        std::vector<std::string> out(directions.size(), std::string(20, '-')), in = out;
+        std::vector<NeighbourMessage> messages;
+        for (std::size_t k = 0; k < directions.size(); ++k)
+          messages.push_back(
+              {directions[k], std::as_bytes(std::span(out[k])), std::as_writable_bytes(std::span(in[k]))});
+        NeighbourMessages exchange(world, division, messages);
+        for (int round = 0; round < 4; ++round) {
+          for (std::size_t k = 0; k < directions.size(); ++k) {
+            const auto sent = text(world.rank(), directions[k], round);
+            std::memcpy(out[k].data(), sent.data(), sent.size());
+          }
+          exchange.start();
+          exchange.finish();
+          for (std::size_t k = 0; k < directions.size(); ++k) {
+            const auto& d = directions[k];
+            EXPECT_EQ(in[k], text(*division.neighbour(world.rank(), d), {-d[0], -d[1], -d[2]}, round));
+          }
+        }
+      }
+    }
+  }
+}
+
+// Whoever is destroyed in the middle gives up what is under way, and does not wait.
+TEST(RanksMessages, may_be_given_up) {
+  const auto& world = *all_ranks;
+  const Division division({{30, 30, 30}}, {1, 1, world.size()});
+  for (int round = 0; round < 3; ++round) {
+    std::string out(100, 'a'), up(100, 'b'), down(100, 'c');
+    const std::vector<NeighbourMessage> messages = {
+        {{0, 0, 1}, std::as_bytes(std::span(out)), std::as_writable_bytes(std::span(up))},
+        {{0, 0, -1}, std::as_bytes(std::span(out)), std::as_writable_bytes(std::span(down))}};
+    NeighbourMessages exchange(world, division, messages);
+    if (round < 2 || world.is_first()) exchange.start();
+  }
+  world.wait_for_all();
+}
+
+TEST(RanksMessages, need_a_neighbour) {
+  const Division division({{30, 30, 30}, {true, true, false}}, {1, 1, all_ranks->size()});
+  std::string out(1, 'a'), in(1, 'b');
+  const std::vector<NeighbourMessage> messages = {
+      {{0, 0, -1}, std::as_bytes(std::span(out)), std::as_writable_bytes(std::span(in))}};
+  if (all_ranks->is_first()) {
+    EXPECT_THROW(NeighbourMessages(*all_ranks, division, messages), std::logic_error);
+  }
+}
+
+}  // namespace
+}  // namespace tanktread::ranks::test
