@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -14,11 +16,19 @@
 #include "driver/program/errors.hpp"
 #include "driver/program/file_system_error.hpp"
 #include "driver/program/waiting_threads.hpp"
+#include "driver/system/followers.hpp"
+#include "driver/system/run_ranks.hpp"
+#include "ranks/world.hpp"
 
 namespace {
 
 constexpr int exit_bad_input = 2;
 constexpr int exit_run_failed = 3;
+
+constexpr auto no_memory =
+    "the memory is not enough for this: something as large as the grid could not be stored; make flow.box "
+    "(or "
+    "the surface) smaller, or end other programs. tanktread plan says what a case needs";
 
 int fail(int code, const char* message) {
   fmt::print(stderr, "tanktread: error: {}\n", message);
@@ -58,9 +68,9 @@ std::string parse_message(const CLI::App& app, const CLI::ParseError& error) {
   return fmt::format("{}: {}; see {} --help", command, error.what(), command);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// The command line, on the first rank. @param known set to false after an error that may have left the other
+/// ranks in the middle of something
+int obey(int argc, char** argv, bool& known) {
   const tanktread::driver::WaitingThreads waiting_threads;
   int exit_code = 0;
   const auto app = tanktread::driver::command_line(exit_code);
@@ -73,16 +83,48 @@ int main(int argc, char** argv) {
     return fail(exit_bad_input, parse_message(*app, error).c_str());
   } catch (const tanktread::driver::InputError& error) {
     return fail(exit_bad_input, error.what());
+  } catch (const tanktread::driver::RunError& error) {
+    return fail(exit_run_failed, error.what());
   } catch (const std::filesystem::filesystem_error& error) {
     // A run says by itself what goes wrong between its steps; here it is a path that was given.
     return fail(tanktread::driver::is_of_device(error) ? exit_run_failed : exit_bad_input,
                 tanktread::driver::message_of(error).c_str());
   } catch (const std::bad_alloc&) {
-    return fail(
-        exit_run_failed,
-        "the memory is not enough for this: something as large as the grid could not be stored; make "
-        "flow.box (or the surface) smaller, or end other programs. tanktread plan says what a case needs");
+    known = false;
+    return fail(exit_run_failed, no_memory);
   } catch (const std::exception& error) {
+    known = false;
     return fail(exit_run_failed, error.what());
   }
+}
+
+/// A rank beside the first. Signals are the first one's business.
+int follow_first(const tanktread::ranks::World& world) {
+  std::signal(SIGINT, SIG_IGN);
+  std::signal(SIGTERM, SIG_IGN);
+  try {
+    const tanktread::driver::WaitingThreads waiting_threads;
+    tanktread::driver::follow(world);
+    return 0;
+  } catch (const std::bad_alloc&) {
+    fail(exit_run_failed, fmt::format("rank {}: {}", world.rank(), no_memory).c_str());
+  } catch (const std::exception& error) {
+    fail(exit_run_failed, fmt::format("rank {}: {}", world.rank(), error.what()).c_str());
+  }
+  world.abort(exit_run_failed);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  const tanktread::ranks::World world(&argc, &argv);
+  if (!world.is_first()) return follow_first(world);
+  tanktread::driver::set_ranks(&world);
+  bool known = true;
+  const int exit_code = obey(argc, argv, known);
+  if (!known && world.size() > 1) world.abort(exit_code);
+  tanktread::driver::end_followers(world);
+  return exit_code;
+} catch (const std::runtime_error& error) {
+  return fail(exit_run_failed, error.what());  // of MPI, which does not begin
 }

@@ -39,7 +39,13 @@ struct State {
 /// step.
 class Breakdown : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  /// @param node where, as an index in the whole box; -1: not known
+  explicit Breakdown(const std::string& message, std::int64_t node = -1)
+      : std::runtime_error(message), node_(node) {}
+  std::int64_t node() const { return node_; }
+
+ private:
+  std::int64_t node_;
 };
 
 /// A flow solver on a Cartesian grid, in lattice units: grid step = time step = reference density = 1.
@@ -81,10 +87,12 @@ class Fluid {
   /// @throws std::invalid_argument for another number of them; std::logic_error of a solver that cannot tell
   virtual void dissipation(std::span<double> power) const = 0;
 
-  /// Power that moving walls give to the fluid on the way to the next step(): the sum of (momentum given).(
-  /// velocity of the wall); 0 without walls. Nothing changes.
-  /// @throws std::logic_error of a solver that cannot tell
-  virtual double wall_power() const = 0;
+  /// Power that moving walls give to the fluid beside every node on the way to the next step(): the sum of
+  /// (momentum given).(velocity of the wall) over the links of the node that meet a wall; 0 elsewhere. Nothing
+  /// changes.
+  /// @param power size() numbers, force times velocity; overwritten
+  /// @throws std::invalid_argument for another number of them; std::logic_error of a solver that cannot tell
+  virtual void wall_power(std::span<double> power) const = 0;
 
   /// Density and velocity of every node, for output: size() and 3 size() numbers, overwritten. As velocity().
   virtual void moments(std::span<double> density, std::span<double> velocity) const = 0;

@@ -110,17 +110,18 @@ class LatticeBoltzmann final : public Fluid {
     }
   }
 
-  double wall_power() const override {
-    if (!lattice_.walls()) return 0.0;
-    double power = 0.0;
+  void wall_power(std::span<double> power) const override {
+    check_size("wall_power()", power.size(), shape().size());
+    std::ranges::fill(power, 0.0);
+    if (!lattice_.walls()) return;
     for_each_wall_node(shape(), lattice_.walls()->axis, [&](int x, int y, int z) {
       double outgoing[n_directions];
       get_outgoing(x, y, z, outgoing);
+      double& of_node = power[shape().index(x, y, z)];
       for (int i = 1; i < n_directions; ++i)
         if (lattice_.from_wall(i, x, y, z))
-          power += power_of_link(i, outgoing[d3q19::opposite(i)], lattice_.wall_gain(i));
+          of_node += power_of_link(i, outgoing[d3q19::opposite(i)], lattice_.wall_gain(i));
     });
-    return power;
   }
 
   void add_force(std::span<const std::int64_t> nodes, std::span<const double> force) override {
@@ -303,6 +304,9 @@ class LatticeBoltzmann final : public Fluid {
     const int ny = shape().ny;
     const int y = static_cast<int>(row % ny), z = static_cast<int>(row / ny);
     const auto& begin = part_.begin;
+    const auto in_box = [&](int x) {
+      return settings_.shape.index(begin[0] + x, begin[1] + y, begin[2] + z);
+    };
     std::ostringstream message;
     message << "step " << step_ << ": ";
     auto reader = moment_reader();
@@ -317,11 +321,11 @@ class LatticeBoltzmann final : public Fluid {
               << (std::isfinite(speed) ? "its speed is over speed_limit, "
                                        : "it must be finite and its speed below speed_limit, ")
               << settings_.speed_limit;
-      throw Breakdown(message.str());
+      throw Breakdown(message.str(), in_box(x));
     }
     message << "the fluid speed reached speed_limit, " << settings_.speed_limit
             << " in row y = " << begin[1] + y << ", z = " << begin[2] + z;
-    throw Breakdown(message.str());
+    throw Breakdown(message.str(), in_box(0));
   }
 
   LatticeBoltzmannSettings settings_;

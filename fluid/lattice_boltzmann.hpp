@@ -74,6 +74,9 @@ std::unique_ptr<Fluid> make_lattice_boltzmann(const LatticeBoltzmannSettings& se
 std::unique_ptr<Fluid> make_lattice_boltzmann(const LatticeBoltzmannSettings& settings, const GridPart& part,
                                               std::unique_ptr<HaloExchange> exchange);
 
+/// Kinematic viscosity nu = (tau+ - 1/2)/3 of the nodes that have none of their own.
+double viscosity_of(const LatticeBoltzmannSettings& settings);
+
 /// Bytes of a number of the lattice.
 inline constexpr int bytes_of_number(Storage storage) {
   return storage == Storage::single_precision ? 4 : 8;

@@ -77,16 +77,18 @@ class PlainLatticeBoltzmann final : public Fluid {
     });
   }
 
-  double wall_power() const override {
-    double power = 0.0;
+  void wall_power(std::span<double> power) const override {
+    check_size("wall_power()", power.size(), shape().size());
     for_each_node([&](int x, int y, int z) {
-      const Populations incoming = stream(x, y, z), &outgoing = outgoing_[shape().index(x, y, z)];
+      const std::int64_t node = shape().index(x, y, z);
+      const Populations incoming = stream(x, y, z), &outgoing = outgoing_[node];
+      power[node] = 0.0;
       for (int i = 0; i < n_directions; ++i) {
         const Vector* wall = wall_behind(x, y, z, i);
-        if (wall) power += dot(d3q19::velocity[i], *wall) * (incoming[i] + outgoing[d3q19::opposite(i)]);
+        if (wall)
+          power[node] += dot(d3q19::velocity[i], *wall) * (incoming[i] + outgoing[d3q19::opposite(i)]);
       }
     });
-    return power;
   }
 
   void add_force(std::span<const std::int64_t> nodes, std::span<const double> force) override {
@@ -125,7 +127,8 @@ class PlainLatticeBoltzmann final : public Fluid {
         throw Breakdown("step " + std::to_string(step_ + 1) + ": the fluid speed at node (" +
                         std::to_string(x) + ", " + std::to_string(y) + ", " + std::to_string(z) + ") is " +
                         std::to_string(speed) + ", must be finite and below speed_limit, " +
-                        std::to_string(settings_.speed_limit));
+                            std::to_string(settings_.speed_limit),
+                        node);
       }
       highest = std::max(highest, speed);
       next[node] = collide(incoming, u, force, viscosity_[node]);

@@ -12,9 +12,6 @@ void check(const LatticeBoltzmannSettings& settings);
 /// The same for a part of a box that has this shape.
 void check(const GridPart& part, const GridShape& box);
 
-/// nu = (tau+ - 1/2)/3.
-double viscosity_of(const LatticeBoltzmannSettings& settings);
-
 /// tau- from tau+: Lambda/(tau+ - 1/2) + 1/2, or tau+ itself for the single-rate model.
 double odd_relaxation_time(const LatticeBoltzmannSettings& settings, double relaxation_time);
 

@@ -24,7 +24,8 @@ int count_of(std::size_t size) {
 }  // namespace
 
 struct NeighbourMessages::Requests {
-  MPI_Comm all = MPI_COMM_NULL;  ///< of its own: what is given up meets no other message
+  /// Of its own: what is given up meets no other message. Null: MPI has not begun, and there is no message.
+  MPI_Comm all = MPI_COMM_NULL;
   std::vector<MPI_Request> receive, send;
   bool under_way = false;
 };
@@ -32,6 +33,10 @@ struct NeighbourMessages::Requests {
 NeighbourMessages::NeighbourMessages(const World& world, const Division& division,
                                      std::span<const NeighbourMessage> messages)
     : requests_(std::make_unique<Requests>()) {
+  if (!world.communicator_->began()) {
+    if (messages.empty()) return;
+    throw std::logic_error("this program was started without mpirun: it has no neighbours");
+  }
   for (const auto& message : messages)
     if (!division.neighbour(world.rank(), message.direction))
       throw std::logic_error("a message goes to a neighbour that there is not");
@@ -50,6 +55,7 @@ NeighbourMessages::NeighbourMessages(const World& world, const Division& divisio
 }
 
 NeighbourMessages::~NeighbourMessages() {
+  if (requests_->all == MPI_COMM_NULL) return;
   if (requests_->under_way) {
     for (auto& request : requests_->receive) MPI_Cancel(&request);
     MPI_Waitall(static_cast<int>(requests_->receive.size()), requests_->receive.data(), MPI_STATUSES_IGNORE);
@@ -61,12 +67,14 @@ NeighbourMessages::~NeighbourMessages() {
 }
 
 void NeighbourMessages::start() {
+  if (requests_->all == MPI_COMM_NULL) return;
   MPI_Startall(static_cast<int>(requests_->receive.size()), requests_->receive.data());
   MPI_Startall(static_cast<int>(requests_->send.size()), requests_->send.data());
   requests_->under_way = true;
 }
 
 void NeighbourMessages::finish() {
+  if (requests_->all == MPI_COMM_NULL) return;
   MPI_Waitall(static_cast<int>(requests_->receive.size()), requests_->receive.data(), MPI_STATUSES_IGNORE);
   MPI_Waitall(static_cast<int>(requests_->send.size()), requests_->send.data(), MPI_STATUSES_IGNORE);
   requests_->under_way = false;

@@ -7,20 +7,36 @@
 #include <string>
 
 namespace tanktread::ranks {
+namespace {
+
+constexpr int tag = 0;
+
+/// MPI counts with int: calls body(begin, n) for portions of what is larger.
+template <class Body>
+void for_each_portion(std::size_t size, const Body& body) {
+  constexpr std::size_t most = std::size_t{1} << 28;
+  for (std::size_t begin = 0; begin < size; begin += most)
+    body(begin, static_cast<int>(std::min(most, size - begin)));
+}
+
+/// What mpirun and srun tell their processes by. Without it there is one: to begin MPI would take half a
+/// second all the same.
+bool is_started_by_launcher() {
+  const auto names = {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "PMI_SIZE"};
+  return std::ranges::any_of(names, [](const char* name) { return std::getenv(name) != nullptr; });
+}
+
+}  // namespace
 
 World::World(int* argc, char*** argv) : communicator_(std::make_unique<Communicator>()) {
-  int began = 0;
-  MPI_Initialized(&began);
-  if (!began) {
-    // Threads of a rank compute; the one that made this speaks.
-    int provided = MPI_THREAD_SINGLE;
-    if (MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS)
-      throw std::runtime_error("MPI: cannot begin");
-    communicator_->began = true;
-    if (provided < MPI_THREAD_FUNNELED) {
-      MPI_Finalize();
-      throw std::runtime_error("MPI: this library allows no threads (MPI_THREAD_FUNNELED)");
-    }
+  if (!is_started_by_launcher()) return;
+  // Threads of a rank compute; the one that made this speaks.
+  int provided = MPI_THREAD_SINGLE;
+  if (MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS)
+    throw std::runtime_error("MPI: cannot begin");
+  if (provided < MPI_THREAD_FUNNELED) {
+    MPI_Finalize();
+    throw std::runtime_error("MPI: this library allows no threads (MPI_THREAD_FUNNELED)");
   }
   MPI_Comm_dup(MPI_COMM_WORLD, &communicator_->all);
   MPI_Comm_rank(communicator_->all, &rank_);
@@ -28,8 +44,9 @@ World::World(int* argc, char*** argv) : communicator_(std::make_unique<Communica
 }
 
 World::~World() {
+  if (!communicator_->began()) return;
   MPI_Comm_free(&communicator_->all);
-  if (communicator_->began) MPI_Finalize();
+  MPI_Finalize();
 }
 
 const char* World::library() {
@@ -47,41 +64,48 @@ const char* World::library() {
 }
 
 void World::abort(int exit_code) const {
-  MPI_Abort(communicator_->all, exit_code);
-  std::abort();  // never reached
+  if (communicator_->began()) MPI_Abort(communicator_->all, exit_code);
+  std::_Exit(exit_code);
 }
 
 void World::wait_for_all() const {
-  MPI_Barrier(communicator_->all);
+  if (communicator_->began()) MPI_Barrier(communicator_->all);
 }
 
 double World::highest(double number) const {
   double highest = number;  // a maximum is the same in any order
+  if (!communicator_->began()) return highest;
   MPI_Allreduce(&number, &highest, 1, MPI_DOUBLE, MPI_MAX, communicator_->all);
   return highest;
 }
 
+void World::send(int rank, std::span<const std::byte> bytes) const {
+  const std::uint64_t size = bytes.size();
+  MPI_Send(&size, 1, MPI_UINT64_T, rank, tag, communicator_->all);
+  for_each_portion(size, [&](std::size_t begin, int n) {
+    MPI_Send(bytes.data() + begin, n, MPI_BYTE, rank, tag, communicator_->all);
+  });
+}
+
+std::vector<std::byte> World::receive(int rank) const {
+  std::uint64_t size = 0;
+  MPI_Recv(&size, 1, MPI_UINT64_T, rank, tag, communicator_->all, MPI_STATUS_IGNORE);
+  std::vector<std::byte> bytes(size);
+  for_each_portion(size, [&](std::size_t begin, int n) {
+    MPI_Recv(bytes.data() + begin, n, MPI_BYTE, rank, tag, communicator_->all, MPI_STATUS_IGNORE);
+  });
+  return bytes;
+}
+
 std::vector<std::byte> World::gather(std::span<const std::byte> bytes) const {
-  // In portions, for MPI counts with int.
-  constexpr std::size_t portion = std::size_t{1} << 28;
-  constexpr int tag = 27;  // above those of the directions
-  const MPI_Comm all = communicator_->all;
-  std::uint64_t size = bytes.size();
   if (!is_first()) {
-    MPI_Send(&size, 1, MPI_UINT64_T, 0, tag, all);
-    for (std::size_t at = 0; at < size; at += portion)
-      MPI_Send(bytes.data() + at, static_cast<int>(std::min(portion, bytes.size() - at)), MPI_BYTE, 0, tag,
-               all);
+    send(0, bytes);
     return {};
   }
   std::vector<std::byte> gathered(bytes.begin(), bytes.end());
   for (int rank = 1; rank < size_; ++rank) {
-    MPI_Recv(&size, 1, MPI_UINT64_T, rank, tag, all, MPI_STATUS_IGNORE);
-    const std::size_t begin = gathered.size();
-    gathered.resize(begin + size);
-    for (std::size_t at = 0; at < size; at += portion)
-      MPI_Recv(gathered.data() + begin + at, static_cast<int>(std::min<std::size_t>(portion, size - at)),
-               MPI_BYTE, rank, tag, all, MPI_STATUS_IGNORE);
+    const auto more = receive(rank);
+    gathered.insert(gathered.end(), more.begin(), more.end());
   }
   return gathered;
 }

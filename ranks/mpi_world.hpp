@@ -10,7 +10,7 @@ namespace tanktread::ranks {
 /// Of our own, so that no message meets one of a library.
 struct World::Communicator {
   MPI_Comm all = MPI_COMM_NULL;
-  bool began = false;  ///< MPI was begun here, and is to be ended here
+  bool began() const { return all != MPI_COMM_NULL; }
 };
 
 }  // namespace tanktread::ranks

@@ -27,6 +27,14 @@ double World::highest(double number) const {
   return number;
 }
 
+void World::send(int, std::span<const std::byte>) const {
+  throw std::logic_error("this program was built without MPI (TANKTREAD_MPI): there is no other rank");
+}
+
+std::vector<std::byte> World::receive(int) const {
+  throw std::logic_error("this program was built without MPI (TANKTREAD_MPI): there is no other rank");
+}
+
 std::vector<std::byte> World::gather(std::span<const std::byte> bytes) const {
   return {bytes.begin(), bytes.end()};
 }

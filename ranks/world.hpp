@@ -13,7 +13,7 @@ namespace tanktread::ranks {
 /// call those that say "together", in the same order.
 class World {
  public:
-  /// Begins MPI, if that has not begun. The arguments are those of main().
+  /// Begins MPI, if this process is one of mpirun's (or srun's). The arguments are those of main().
   /// @throws std::runtime_error if MPI cannot begin
   World(int* argc, char*** argv);
   /// Ends MPI. Together.
@@ -37,6 +37,13 @@ class World {
 
   /// The highest of all ranks' numbers, on each of them; no number may be NaN. Together.
   double highest(double number) const;
+
+  /// Sends bytes to another rank, which receive()s them; the messages between two ranks come in the order in
+  /// which they were sent. May return before they have come.
+  void send(int rank, std::span<const std::byte> bytes) const;
+
+  /// Waits for the next message of another rank.
+  std::vector<std::byte> receive(int rank) const;
 
   /// On the first rank what all have given, one after the other in the order of the ranks; elsewhere empty.
   /// So a sum over ranks can be done in one order. Together.

@@ -74,6 +74,12 @@ std::vector<Key> coupler_run_output_keys() {
           .from(0)
           .to(1024)
           .free_on_resume(),
+      key<InCase<&Case::run, &RunCase::ranks>>("run.ranks", "",
+                                               "parts of the box along x, y, z, one a rank of mpirun")
+          .from(0)
+          .to(1'000'000)
+          .preset("[0, 0, 0]: those with the least surface between them")
+          .free_on_resume(),
       key<InCase<&Case::run, &RunCase::checkpoint_every>>("run.checkpoint_every", "shear times",
                                                           "between checkpoints; the last two are kept")
           .above(0)

@@ -85,6 +85,12 @@ void add_flow(const System& system, const Case& the_case, EnergyBudget& budget) 
   }
 }
 
+double power_of_walls(const fluid::Fluid& fluid) {
+  std::vector<double> power(static_cast<std::size_t>(fluid.shape().size()));
+  fluid.wall_power(power);
+  return std::accumulate(power.begin(), power.end(), 0.0);
+}
+
 /// Of the next time, under the present force: u = u_free + mobility F, mobility = 1/(2 rho). Plane by plane,
 /// which takes little memory.
 double next_kinetic_energy(const fluid::Fluid& fluid) {
@@ -117,7 +123,7 @@ EnergyBudget energy_budget(const System& system, const Case& the_case) {
   add_membranes(system, budget);
   add_dissipation(system, the_case, budget);
   add_flow(system, the_case, budget);
-  budget.walls = system.fluid->wall_power();
+  budget.walls = power_of_walls(*system.fluid);
   const double kinetic_rate = next_kinetic_energy(*system.fluid) - budget.kinetic_energy;
   budget.remainder = budget.walls + budget.body_force + budget.load_power - budget.elastic_power -
                      budget.viscous_shear - budget.viscous_dilatational - budget.spring_power -

@@ -84,7 +84,7 @@ void OutsideFluid::dissipation(std::span<double>) const {
       "flow.command: a program in the place of the fluid is not asked for its dissipation");
 }
 
-double OutsideFluid::wall_power() const {
+void OutsideFluid::wall_power(std::span<double>) const {
   throw std::logic_error(
       "flow.command: a program in the place of the fluid is not asked for the power of the walls");
 }

@@ -27,7 +27,7 @@ class OutsideFluid final : public fluid::Fluid {
                      std::span<double> mobility) const override;
   /// @throws std::logic_error always, both: a program tells density and velocity alone
   void dissipation(std::span<double> power) const override;
-  double wall_power() const override;
+  void wall_power(std::span<double> power) const override;
   void moments(std::span<double> density, std::span<double> velocity) const override;
   void add_force(std::span<const std::int64_t> nodes, std::span<const double> force) override;
   void clear_force() override;

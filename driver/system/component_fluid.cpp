@@ -14,7 +14,7 @@ double fluid_memory_bytes(const FlowCase& flow) {
                     fluid::lattice_boltzmann_force_memory_per_node + fluid::lattice_boltzmann_state_per_node);
 }
 
-std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const FlowParameters& parameters) {
+fluid::LatticeBoltzmannSettings fluid_settings(const Case& the_case, const FlowParameters& parameters) {
   const auto& flow = the_case.flow;
   fluid::LatticeBoltzmannSettings settings;
   settings.shape = {flow.box[0], flow.box[1], flow.box[2]};
@@ -36,8 +36,12 @@ std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const FlowParamet
     }
     settings.walls = walls;
   }
-  auto solver = fluid::make_lattice_boltzmann(settings);
-  if (flow.command.empty()) return solver;
+  return settings;
+}
+
+std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const FlowParameters& parameters) {
+  auto solver = fluid::make_lattice_boltzmann(fluid_settings(the_case, parameters));
+  if (the_case.flow.command.empty()) return solver;
   return std::make_unique<OutsideFluid>(the_case, parameters, *solver);
 }
 

@@ -16,6 +16,9 @@
 
 namespace tanktread::driver {
 
+/// The settings of the flow solver of a case.
+fluid::LatticeBoltzmannSettings fluid_settings(const Case& the_case, const FlowParameters& parameters);
+
 /// The flow solver of a case, at its start. @throws InputError if it is a program that cannot be started
 std::unique_ptr<fluid::Fluid> make_fluid(const Case& the_case, const FlowParameters& parameters);
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "ranks/neighbour_messages.hpp"
+#include "ranks/packing.hpp"
 #include "tests/ranks/world.hpp"
 
 namespace tanktread::ranks::test {
@@ -36,6 +37,26 @@ std::string text(int rank, const Triple& direction, int round) {
   return text;
 }
 
+TEST(RanksWorld, brings_messages_from_rank_to_rank) {
+  const auto& world = *all_ranks;
+  if (world.size() == 1) GTEST_SKIP() << "there is no other rank";
+  const int next = (world.rank() + 1) % world.size(),
+            before = (world.rank() + world.size() - 1) % world.size();
+  const std::vector<double> numbers = {1.5, -2.0 * world.rank()};
+  const auto message = [&](int round) {
+    return Packing().put(round).put_all(numbers).put_text("from " + std::to_string(world.rank()));
+  };
+  // Small ones may be on the way both ways at once; MPI keeps them.
+  for (int round = 0; round < 3; ++round) world.send(next, message(round).bytes());
+  for (int round = 0; round < 3; ++round) {
+    Unpacking unpacking(world.receive(before));
+    EXPECT_EQ(unpacking.take<int>(), round);
+    EXPECT_EQ(unpacking.take_all<double>(), (std::vector<double>{1.5, -2.0 * before}));
+    EXPECT_EQ(unpacking.take_text(), "from " + std::to_string(before));
+    EXPECT_THROW(unpacking.take<char>(), std::logic_error);
+  }
+}
+
 // Along every axis of every division, with walls and without: an axis of two ranks has the same neighbour on
 // both sides, one of one rank itself, and none may be mistaken for the other. A rank may be late.
 TEST(RanksMessages, come_from_where_they_were_sent) {
@@ -55,6 +76,10 @@ TEST(RanksMessages, come_from_where_they_were_sent) {
         for (std::size_t k = 0; k < directions.size(); ++k)
           messages.push_back(
               {directions[k], std::as_bytes(std::span(out[k])), std::as_writable_bytes(std::span(in[k]))});
+        if (World::library() == std::string("none")) {
+          EXPECT_THROW(NeighbourMessages(world, division, messages), std::logic_error);
+          continue;
+        }
         NeighbourMessages exchange(world, division, messages);
         for (int round = 0; round < 4; ++round) {
           for (std::size_t k = 0; k < directions.size(); ++k) {
@@ -76,6 +101,7 @@ TEST(RanksMessages, come_from_where_they_were_sent) {
 // Whoever is destroyed in the middle gives up what is under way, and does not wait.
 TEST(RanksMessages, may_be_given_up) {
   const auto& world = *all_ranks;
+  if (World::library() == std::string("none")) GTEST_SKIP() << "without MPI there are no messages";
   const Division division({{30, 30, 30}}, {1, 1, world.size()});
   for (int round = 0; round < 3; ++round) {
     std::string out(100, 'a'), up(100, 'b'), down(100, 'c');

@@ -93,17 +93,17 @@ inline NodeForces taken(const NodeForces& of_box, const std::vector<std::int64_t
 /// Everything that a solver says of some nodes.
 struct Said {
   Moments moments;
-  Numbers velocity, free_velocity, mobility, dissipation;
+  Numbers velocity, free_velocity, mobility, dissipation, wall_power;
   bool operator==(const Said& other) const {
     return moments.density == other.moments.density && moments.velocity == other.moments.velocity &&
            velocity == other.velocity && free_velocity == other.free_velocity && mobility == other.mobility &&
-           dissipation == other.dissipation;
+           dissipation == other.dissipation && wall_power == other.wall_power;
   }
 };
 inline Said said(const Fluid& fluid) {
   const auto nodes = all_nodes(fluid.shape());
   const std::size_t n = nodes.size();
-  Said said{moments(fluid), Numbers(3 * n), Numbers(3 * n), Numbers(n), Numbers(n)};
+  Said said{moments(fluid), Numbers(3 * n), Numbers(3 * n), Numbers(n), Numbers(n), wall_power(fluid)};
   fluid.velocity(nodes, said.velocity);
   fluid.free_velocity(nodes, said.free_velocity, said.mobility);
   fluid.dissipation(said.dissipation);
@@ -114,7 +114,8 @@ inline Said taken(const Said& of_box, const std::vector<std::int64_t>& nodes) {
           taken(of_box.velocity, 3, nodes),
           taken(of_box.free_velocity, 3, nodes),
           taken(of_box.mobility, 1, nodes),
-          taken(of_box.dissipation, 1, nodes)};
+          taken(of_box.dissipation, 1, nodes),
+          taken(of_box.wall_power, 1, nodes)};
 }
 
 }  // namespace tanktread::fluid::test

@@ -179,26 +179,6 @@ TEST_P(FluidParts, go_on_from_a_state_of_the_whole_box) {
   }
 }
 
-// The sums have another order: n additions of numbers whose magnitudes add up to `magnitude` round by
-// n eps magnitude at most, and n here is the links of all nodes at the walls.
-TEST_P(FluidParts, share_the_power_of_the_walls) {
-  const auto& [storage, wall_axis, division] = GetParam();
-  const auto whole = make_lattice_boltzmann(settings());
-  disturb(*whole);
-  Parts parts(settings(), division.cuts);
-  parts.restore(whole->state());
-  double power = 0.0, magnitude = 0.0;
-  for (auto& fluid : parts.fluids) {
-    power += fluid->wall_power();
-    magnitude += std::abs(fluid->wall_power());
-  }
-  const double n_links = 5.0 * static_cast<double>(division.box.size());
-  EXPECT_NEAR(power, whole->wall_power(), n_links * eps * std::max(1.0, magnitude));
-  if (wall_axis >= 0) {
-    EXPECT_GT(magnitude, 1e-6);
-  }
-}
-
 class FluidPartSettings : public testing::Test {
  protected:
   static LatticeBoltzmannSettings settings() {

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
@@ -43,6 +44,17 @@ inline Moments moments(const Fluid& fluid) {
   Moments moments{Numbers(n), Numbers(3 * n)};
   fluid.moments(moments.density, moments.velocity);
   return moments;
+}
+
+/// Of every node.
+inline Numbers wall_power(const Fluid& fluid) {
+  Numbers power(static_cast<std::size_t>(fluid.shape().size()), std::numeric_limits<double>::quiet_NaN());
+  fluid.wall_power(power);
+  return power;
+}
+inline double sum_of_wall_power(const Fluid& fluid) {
+  const auto power = wall_power(fluid);
+  return std::accumulate(power.begin(), power.end(), 0.0);
 }
 
 inline const Numbers& array(const State& state, const std::string& name) {

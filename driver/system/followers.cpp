@@ -1,0 +1,142 @@
+#include "driver/system/followers.hpp"
+
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+#include "driver/system/part_orders.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+using Nodes = std::vector<std::int64_t>;
+using Numbers = std::vector<double>;
+using ranks::Packing;
+using ranks::Unpacking;
+
+/// The part of this rank, and what it is asked.
+class Follower {
+ public:
+  explicit Follower(const ranks::World& world) : world_(world) {}
+
+  /// @return false for Order::end
+  bool obey(Order order, Unpacking& message) {
+    switch (order) {
+      case Order::make_part: {
+        const auto box = message.take<ranks::Box>();
+        const ranks::Division division(box, message.take<ranks::Triple>());
+        part_ = make_part(world_, division, message.take<fluid::LatticeBoltzmannSettings>());
+        return true;
+      }
+      case Order::give_up_part:
+        end_exchange(*part_, message.take<bool>());
+        part_.reset();
+        return true;
+      case Order::end:
+        return false;
+      default:
+        return of_part(order, message);
+    }
+  }
+
+ private:
+  bool of_part(Order order, Unpacking& message) {
+    const auto n = static_cast<std::size_t>(part_->shape().size());
+    switch (order) {
+      case Order::velocity: {
+        const auto nodes = message.take_all<std::int64_t>();
+        Numbers velocity(3 * nodes.size());
+        part_->velocity(nodes, velocity);
+        answer(Packing().put_all(velocity));
+        return true;
+      }
+      case Order::free_velocity: {
+        const auto nodes = message.take_all<std::int64_t>();
+        Numbers velocity(3 * nodes.size()), mobility(nodes.size());
+        part_->free_velocity(nodes, velocity, mobility);
+        answer(Packing().put_all(velocity).put_all(mobility));
+        return true;
+      }
+      case Order::dissipation: {
+        Numbers power(n);
+        part_->dissipation(power);
+        answer(Packing().put_all(power));
+        return true;
+      }
+      case Order::wall_power: {
+        Numbers power(n);
+        part_->wall_power(power);
+        answer(Packing().put_all(power));
+        return true;
+      }
+      case Order::moments: {
+        Numbers density(n), velocity(3 * n);
+        part_->moments(density, velocity);
+        answer(Packing().put_all(density).put_all(velocity));
+        return true;
+      }
+      case Order::force:
+        answer(Packing().put_all(part_->force()));
+        return true;
+      case Order::step: {
+        Packing packing;
+        pack(packing, step_of(*part_));
+        answer(packing);
+        return true;
+      }
+      case Order::state: {
+        Packing packing;
+        pack(packing, part_->state());
+        answer(packing);
+        return true;
+      }
+      default:
+        change(order, message);
+        return true;
+    }
+  }
+
+  /// Orders without an answer.
+  void change(Order order, Unpacking& message) {
+    switch (order) {
+      case Order::add_force: {
+        const auto nodes = message.take_all<std::int64_t>();
+        return part_->add_force(nodes, message.take_all<double>());
+      }
+      case Order::clear_force:
+        return part_->clear_force();
+      case Order::set_viscosities:
+        return part_->set_viscosity(message.take_all<double>());
+      case Order::set_viscosity_of: {
+        const auto nodes = message.take_all<std::int64_t>();
+        return part_->set_viscosity(nodes, message.take_all<double>());
+      }
+      case Order::restore:
+        return part_->restore(take_state(message));
+      default:
+        throw std::logic_error("the first rank gave an order that is none");
+    }
+  }
+
+  void answer(const Packing& packing) const { world_.send(0, packing.bytes()); }
+
+  const ranks::World& world_;
+  std::unique_ptr<fluid::Fluid> part_;
+};
+
+}  // namespace
+
+void follow(const ranks::World& world) {
+  Follower follower(world);
+  for (bool goes_on = true; goes_on;) {
+    Unpacking message(world.receive(0));
+    const auto order = message.take<Order>();
+    goes_on = follower.obey(order, message);
+  }
+}
+
+void end_followers(const ranks::World& world) {
+  for (int rank = 1; rank < world.size(); ++rank) world.send(rank, Packing().put(Order::end).bytes());
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,92 @@
+// What the first rank tells the others, and what they answer. Internal to driver/system.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "driver/system/halo_by_ranks.hpp"
+#include "fluid/lattice_boltzmann.hpp"
+#include "ranks/packing.hpp"
+
+namespace tanktread::driver {
+
+/// An order begins a message; what follows it, and what is answered:
+enum class Order {
+  make_part,         ///< Division, settings
+  give_up_part,      ///< whether the flow broke down
+  velocity,          ///< nodes; velocity
+  free_velocity,     ///< nodes; velocity, mobility
+  dissipation,       ///< ; power
+  wall_power,        ///< ; power
+  moments,           ///< ; density, velocity
+  add_force,         ///< nodes, force
+  clear_force,       ///<
+  force,             ///< ; force
+  set_viscosities,   ///< of every node of the part
+  set_viscosity_of,  ///< nodes, viscosity
+  step,              ///< ; StepAnswer
+  state,             ///< ; state
+  restore,           ///< state
+  end,               ///<
+};
+
+/// How a step of a part ended.
+struct StepAnswer {
+  double highest_speed = 0;
+  bool broke_down = false;
+  std::int64_t node = -1;  ///< in the box
+  std::string message;
+};
+
+inline void pack(ranks::Packing& packing, const StepAnswer& answer) {
+  packing.put(answer.highest_speed).put(answer.broke_down).put(answer.node).put_text(answer.message);
+}
+inline StepAnswer take_step_answer(ranks::Unpacking& unpacking) {
+  StepAnswer answer;
+  answer.highest_speed = unpacking.take<double>();
+  answer.broke_down = unpacking.take<bool>();
+  answer.node = unpacking.take<std::int64_t>();
+  answer.message = unpacking.take_text();
+  return answer;
+}
+
+/// A step of a part, whose breakdown is no reason to leave the others alone.
+inline StepAnswer step_of(fluid::Fluid& part) {
+  try {
+    return {part.step(), false, -1, {}};
+  } catch (const fluid::Breakdown& error) {
+    return {0, true, error.node(), error.what()};
+  }
+}
+
+inline void pack(ranks::Packing& packing, const fluid::State& state) {
+  packing.put(state.step).put(state.arrays.size());
+  for (const auto& array : state.arrays)
+    packing.put_text(array.name).put(array.components).put_all(array.values);
+}
+inline fluid::State take_state(ranks::Unpacking& unpacking) {
+  fluid::State state;
+  state.step = unpacking.take<std::int64_t>();
+  state.arrays.resize(unpacking.take<std::size_t>());
+  for (auto& array : state.arrays) {
+    array.name = unpacking.take_text();
+    array.components = unpacking.take<int>();
+    array.values = unpacking.take_all<double>();
+  }
+  return state;
+}
+
+/// The part of a rank, all of which call this together.
+inline std::unique_ptr<fluid::Fluid> make_part(const ranks::World& world, const ranks::Division& division,
+                                               const fluid::LatticeBoltzmannSettings& settings) {
+  return fluid::make_lattice_boltzmann(settings, part_of(division, world.rank()),
+                                       std::make_unique<HaloByRanks>(world, division));
+}
+
+/// Before parts are given up together: what is under way between them comes in, so that no message is left.
+/// After a breakdown there are parts that have sent nothing.
+inline void end_exchange(const fluid::Fluid& part, bool broken) {
+  if (!broken) part.free_velocity({}, {}, {});
+}
+
+}  // namespace tanktread::driver

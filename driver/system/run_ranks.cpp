@@ -1,0 +1,60 @@
+#include "driver/system/run_ranks.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "driver/program/errors.hpp"
+
+namespace tanktread::driver {
+namespace {
+
+const ranks::World* all_ranks = nullptr;
+
+/// A part needs three nodes along x (fluid::GridPart).
+constexpr ranks::Triple least_nodes = {3, 1, 1};
+
+std::string text(const ranks::Triple& numbers) {
+  return fmt::format("{} x {} x {}", numbers[0], numbers[1], numbers[2]);
+}
+
+}  // namespace
+
+void set_ranks(const ranks::World* world) {
+  all_ranks = world;
+}
+
+const ranks::World* other_ranks() {
+  return all_ranks != nullptr && all_ranks->size() > 1 ? all_ranks : nullptr;
+}
+
+ranks::Division division_of(const Case& the_case, int n_ranks) {
+  const auto& wanted = the_case.run.ranks;
+  ranks::Box box{the_case.flow.box, {true, true, true}, least_nodes};
+  if (the_case.flow.kind != "periodic") box.periodic[the_case.flow.wall_axis] = false;
+  const bool is_given = wanted != RunCase().ranks;
+  if (is_given && wanted[0] * wanted[1] * wanted[2] != n_ranks) {
+    throw InputError(fmt::format(
+        "run.ranks = [{}, {}, {}]: is for {} ranks, and there {}; remove it, or start the program with "
+        "mpirun -n {}",
+        wanted[0], wanted[1], wanted[2], wanted[0] * wanted[1] * wanted[2],
+        n_ranks == 1 ? "is 1" : fmt::format("are {}", n_ranks), wanted[0] * wanted[1] * wanted[2]));
+  }
+  try {
+    return is_given ? ranks::Division(box, wanted) : ranks::least_surface(box, n_ranks);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(
+        fmt::format("{}: {}", is_given ? "run.ranks" : fmt::format("mpirun -n {}", n_ranks), error.what()));
+  }
+}
+
+std::string ranks_line(const Case& the_case) {
+  const auto* world = other_ranks();
+  if (world == nullptr) return "";
+  const auto division = division_of(the_case, world->size());
+  const auto block = division.block(0);
+  return fmt::format("on {} ranks ({}): {} parts, the first of {} nodes\n", world->size(),
+                     ranks::World::library(), text(division.parts()), text(block.n));
+}
+
+}  // namespace tanktread::driver

@@ -1,0 +1,25 @@
+// The ranks that this program runs on, and how they share the box of a case.
+#pragma once
+
+#include <string>
+
+#include "driver/case/case.hpp"
+#include "ranks/division.hpp"
+#include "ranks/world.hpp"
+
+namespace tanktread::driver {
+
+/// Set by main() before all else; null: this one alone. A process has one MPI, so there is one of these too.
+void set_ranks(const ranks::World* world);
+
+/// As set, but null where there is one rank only.
+const ranks::World* other_ranks();
+
+/// How `n_ranks` ranks share the box: as run.ranks says, or with the least surface of the cuts.
+/// @throws InputError naming run.ranks or the number of ranks
+ranks::Division division_of(const Case& the_case, int n_ranks);
+
+/// "on 2 ranks (Open MPI v4.1.4): 1 x 1 x 2 parts of 60 x 60 x 30 nodes"; "" on one.
+std::string ranks_line(const Case& the_case);
+
+}  // namespace tanktread::driver
