@@ -29,3 +29,8 @@ tanktread_rank_test(ranks_messages RANKS 1 2 3 4 6 8 SOURCES ranks/messages_test
 if(TARGET tanktread_fluid)
   tanktread_rank_test(ranks_fluid RANKS 1 2 3 4 6 8 SOURCES ranks/fluid_test.cpp LIBRARIES tanktread::fluid)
 endif()
+if(TANKTREAD_MPI AND TARGET tanktread AND NOT TANKTREAD_MISSING_COMPONENTS)
+  add_test(NAME python.ranks COMMAND ${TANKTREAD_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/integration/ranks_test.py
+    $<TARGET_FILE:tanktread> ${MPIEXEC_EXECUTABLE})
+  set_tests_properties(python.ranks PROPERTIES TIMEOUT 600 PROCESSORS 2 COST 60 ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1")
+endif()

@@ -84,6 +84,10 @@ std::vector<Key> coupler_run_output_keys() {
                                                           "between checkpoints; the last two are kept")
           .above(0)
           .free_on_resume(),
+      key<InCase<&Case::run, &RunCase::checkpoint_minutes>>(
+          "run.checkpoint_minutes", "min", "of wall clock, the most between checkpoints; 0: only by shear time")
+          .from(0)
+          .free_on_resume(),
       key<InCase<&Case::run, &RunCase::command_time_limit>>(
           "run.command_time_limit", "s", "of a program for an answer; after it the run stops")
           .above(0)

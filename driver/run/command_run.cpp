@@ -7,6 +7,7 @@
 #include "driver/program/number_option.hpp"
 #include "driver/program/output_directory.hpp"
 #include "driver/run/run.hpp"
+#include "driver/system/run_ranks.hpp"
 #include "driver/units/schedule.hpp"
 
 namespace tanktread::driver {
@@ -40,7 +41,7 @@ int run_case(const RunArguments& arguments) {
   const auto the_case = read_case(arguments.case_file, arguments.assignments);
   check_output_directory(options.output, options.force);  // before the probe of the speed
   const auto plan = make_plan(the_case);
-  fmt::print("{}", plan.echo);
+  fmt::print("{}{}", plan.echo, ranks_line(the_case));
   return run_new(plan, options);
 }
 

@@ -9,10 +9,12 @@
 #include "driver/program/signals.hpp"
 #include "driver/program/version.hpp"
 #include "driver/run/checkpoint.hpp"
+#include "driver/run/checkpoint_times.hpp"
 #include "driver/run/closing.hpp"
 #include "driver/run/output.hpp"
 #include "driver/run/progress.hpp"
 #include "driver/stages/file_passage.hpp"
+#include "driver/system/run_ranks.hpp"
 #include "driver/system/step.hpp"
 #include "driver/units/laws.hpp"
 #include "driver/units/parameters_file.hpp"
@@ -101,12 +103,12 @@ std::unique_ptr<Passage> make_passage(const PacketOptions& packets, const Plan& 
 
 /// A step and what is due after it. @return the seconds that the files of that took
 double advance_and_write(System& system, Passage& passage, const Plan& plan, Output& output,
-                         Progress& progress, const Schedule& checkpoints, std::int64_t last_step,
+                         Progress& progress, CheckpointTimes& checkpoints, std::int64_t last_step,
                          const std::filesystem::path& directory) {
   advance(system, passage);
   const double before = progress.seconds();
   progress.observe(output.write(system, system.step == last_step));
-  if (checkpoints.due(system.step) || system.step == last_step)
+  if (checkpoints.due(system.step, before))
     write_checkpoint(system, plan.the_case, output.row_counts(), directory);
   const double files = progress.seconds() - before;
   progress.update(system.step);
@@ -117,7 +119,9 @@ int run_on(System& system, Passage& passage, const Plan& plan, Output& output,
            const std::filesystem::path& directory) {
   const std::int64_t first_step = system.step;
   const std::int64_t last_step = last_step_of(plan.the_case, plan.parameters);
-  const auto checkpoints = schedule_of(plan.the_case.run.checkpoint_every, plan.parameters);
+  const auto& times = plan.the_case.run;
+  CheckpointTimes checkpoints(schedule_of(times.checkpoint_every, plan.parameters), last_step,
+                              times.checkpoint_minutes);
   Progress progress(system.step, last_step, system.fluid->shape().size(), plan.parameters.shear_rate);
   double files = 0;
   try {
@@ -250,7 +254,7 @@ int run_resumed(const ResumeOptions& options) {
   }
   check_packets(options.packets, directory, start.point.step, last_step);
   const auto plan = make_plan(the_case, start.state.shapes, bytes_of(start.state.fluid));
-  fmt::print("{}resuming from {}\n", plan.echo, start.folder.string());
+  fmt::print("{}{}resuming from {}\n", plan.echo, ranks_line(the_case), start.folder.string());
   if (!start.state.the_case) {
     fmt::print(
         "note: the checkpoint is of an earlier version and does not hold its case: echo.toml is taken as "

@@ -1,0 +1,207 @@
+"""Runs on several ranks are the run on one, bit for bit. Usage: ranks_test.py TANKTREAD MPIRUN [unittest arguments]."""
+
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+from post_fixture import ROOT, InFolder
+
+# More ranks than processors, as root: what the two MPI of Debian want to be told.
+ENVIRONMENT = os.environ | {
+    "OMP_NUM_THREADS": "1",
+    "OMPI_ALLOW_RUN_AS_ROOT": "1",
+    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+    "OMPI_MCA_rmaps_base_oversubscribe": "1",
+    "OMPI_MCA_hwloc_base_binding_policy": "none",
+    "OMPI_MCA_mpi_yield_when_idle": "1",
+}
+
+CASE = """
+[flow]
+kind = "shear"
+box = [24, 20, 18]
+wall_speed = 0.02
+relaxation_time = 0.9
+
+[[capsule]]
+radius = 4
+position = [12, 10, 9]
+mesh = { shape = "sphere", level = 1 }
+
+[membrane]
+elastic_law = "skalak"
+capillary_number = 0.3
+
+[run]
+shear_time = 0.06
+checkpoint_every = 0.02
+
+[output]
+observables_every = 0.01
+measures_every = 0.02
+energy_every = 0.03
+membrane_every = 0.03
+fluid_every = 0.03
+"""
+
+SECOND = '[[capsule]]\nradius = 3\nposition = [5, 15, 6.4]\nmesh = { shape = "sphere", level = 1 }\n'
+
+PERIODIC = CASE.replace('"shear"', '"periodic"').replace("wall_speed = 0.02", "shear_rate = 2e-3")
+
+# What is in a run, and the ranks that share it: cuts along z, y, x and all; with a part of few nodes.
+RUNS = {
+    "a capsule over a cut, walls": ([], CASE, [2, 3]),
+    "over an edge and a corner of the cuts": (["flow.wall_axis=y", "flow.flow_axis=z"], CASE, ["1,2,2", "2,2,2"]),
+    "on a face, off the middle": (["capsule.0.position=[6.1,10.7,9.2]", "flow.inertia=false"], CASE, ["3,1,1", "1,1,4"]),
+    "a viscosity contrast": (["flow.viscosity_ratio=5"], CASE, [3, "2,1,2"]),
+    "an implicit viscosity": (
+        ["membrane.viscous.boussinesq_shear=5", "membrane.viscous.scheme=implicit", "coupler.keep_volume=true"], CASE, [2, "2,2,1"]),
+    "several, round a periodic box": (
+        ["flow.body_force=[1e-6,0,0]"], PERIODIC + SECOND, [4]),
+    "in single precision": (["flow.storage=single", "flow.viscosity_ratio=0.5"], CASE + SECOND, [2, "1,3,1"]),
+    "a red cell": (
+        ["capsule.0.mesh.shape=biconcave", "membrane.bending_modulus=0.02", "membrane.global_area_modulus=1",
+         "membrane.volume_modulus=1"], CASE, [2]),
+}
+
+
+class OnRanks(InFolder):
+    program = mpirun = None
+
+    def setUp(self):
+        super().setUp()
+        (self.folder / "case.toml").write_text(CASE)
+
+    def call(self, *arguments, ranks=1, timeout=120):
+        """The finished process. @param ranks a number, or parts along x, y, z as "1,2,2"."""
+        command = [self.program, *map(str, arguments)]
+        if ranks != 1:
+            n = ranks
+            if isinstance(ranks, str):
+                x, y, z = map(int, ranks.split(","))
+                n = x * y * z
+                command += ["--set", f"run.ranks=[{ranks}]"]
+            command = [self.mpirun, "-n", str(n), *command]
+        return subprocess.run(command, cwd=self.folder, env=ENVIRONMENT, capture_output=True, text=True, timeout=timeout)
+
+    def run_well(self, *arguments, ranks=1):
+        done = self.call(*arguments, ranks=ranks)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done.stdout
+
+    def assert_same(self, first, second):
+        for run in (first, second):  # an earlier checkpoint has the case of that time: another run.shear_time
+            for folder in sorted((self.folder / run / "checkpoints").glob("step_*"))[:-1]:
+                shutil.rmtree(folder)
+            for echo in (self.folder / run).rglob("echo.toml"):  # which says how the box was cut by hand
+                echo.write_text(re.sub(r"(?m)^ranks = .*$", "ranks = [0, 0, 0]", echo.read_text()))
+        done = subprocess.run([self.program, "diff", first, second], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        for table in ("observables.csv", "measures.csv", "energy.csv"):
+            self.assertEqual((self.folder / first / table).read_bytes(), (self.folder / second / table).read_bytes(), table)
+
+
+class Equal(OnRanks):
+    def test_runs_of_every_kind(self):
+        for name, (changes, case, shares) in RUNS.items():
+            (self.folder / "case.toml").write_text(case)
+            settings = [word for change in changes for word in ("--set", change)]
+            self.run_well("run", "case.toml", "--force", "--output", "one", *settings)
+            for ranks in shares:
+                with self.subTest(name, ranks=ranks):
+                    said = self.run_well("run", "case.toml", "--force", "--output", "many", *settings, ranks=ranks)
+                    self.assertIn("ranks (", said)
+                    self.assert_same("one", "many")
+
+    def test_a_checkpoint_of_some_ranks_goes_on_with_others(self):
+        settings = ["--set", "flow.viscosity_ratio=3"]
+        self.run_well("run", "case.toml", "--output", "whole", *settings)
+        self.run_well("run", "case.toml", "--output", "parts", *settings, "--shear-time", "0.02", ranks=3)
+        self.run_well("run", "--resume", "parts", "--shear-time", "0.04", ranks=2)
+        self.run_well("run", "--resume", "parts", "--shear-time", "0.06")
+        self.assert_same("whole", "parts")
+
+    def test_a_checkpoint_of_one_goes_on_with_several(self):
+        self.run_well("run", "case.toml", "--output", "whole")
+        self.run_well("run", "case.toml", "--output", "parts", "--shear-time", "0.03")
+        self.run_well("run", "--resume", "parts", "--shear-time", "0.06", ranks=4)
+        self.assert_same("whole", "parts")
+
+
+class Ended(OnRanks):
+    def test_bad_input_is_said_once_and_nothing_is_written(self):
+        for arguments, word, ranks in (
+            (("run", "nothere.toml"), "nothere.toml", 2),
+            (("run", "case.toml", "--set", "flow.bocks=1"), "flow.box", 3),
+            (("run", "case.toml", "--set", "run.ranks=[1,1,3]"), "mpirun -n 3", 2),
+            (("run", "case.toml", "--set", "run.ranks=[1,2,1]"), "mpirun -n 2", 1),
+            (("run", "case.toml"), "run.ranks: 9 parts along x", "9,1,1"),
+        ):
+            with self.subTest(arguments, ranks=ranks):
+                done = self.call(*arguments, "--output", "out", ranks=ranks)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertEqual(done.stderr.count("tanktread: error:"), 1, done.stderr)
+                self.assertIn(word, done.stderr)
+                self.assertFalse((self.folder / "out").exists())
+
+    def test_a_breakdown_is_that_of_one_rank(self):
+        settings = ["--set", "flow.speed_limit=0.0185", "--set", "flow.start=developed"]
+        messages = []
+        for ranks in (1, 2, "2,1,3"):
+            done = self.call("run", "case.toml", "--output", f"out{ranks}", *settings, ranks=ranks)
+            self.assertEqual(done.returncode, 3, done.stderr)
+            lines = [line for line in done.stderr.splitlines() if line.startswith("tanktread: error:")]
+            self.assertEqual(len(lines), 1, done.stderr)
+            messages.append(lines[0])
+        self.assertIn("node (", messages[0])
+        self.assertEqual(messages[1:], messages[:1] * 2)
+
+    def started(self, ranks):
+        """mpirun with a long run that has written its first checkpoint."""
+        child = subprocess.Popen(
+            [self.mpirun, "-n", str(ranks), self.program, "run", "case.toml", "--output", "out", "--shear-time", "50",
+             "--set", "run.checkpoint_every=0.01"],
+            cwd=self.folder, env=ENVIRONMENT, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        deadline = time.monotonic() + 60
+        while len(list((self.folder / "out/checkpoints").glob("step_*"))) < 2:
+            self.assertIsNone(child.poll(), "it ended by itself")
+            self.assertLess(time.monotonic(), deadline, "no checkpoint came")
+            time.sleep(0.05)
+        return child
+
+    def ranks_of(self, child):
+        """Processes of the program that mpirun has started."""
+        name = pathlib.Path(self.program).name
+        found = subprocess.run(["ps", "-eo", "pid=,ppid=,comm="], capture_output=True, text=True).stdout
+        rows = [line.split(None, 2) for line in found.splitlines()]
+        below, grown = {child.pid}, True
+        while grown:
+            more = {int(pid) for pid, parent, _ in rows if int(parent) in below} - below
+            grown = bool(more)
+            below |= more
+        return sorted(int(pid) for pid, _, comm in rows if int(pid) in below and comm.startswith(name[:15]))
+
+    def test_a_rank_that_dies_ends_all_and_the_run_goes_on(self):
+        child = self.started(3)
+        ranks = self.ranks_of(child)
+        self.assertEqual(len(ranks), 3)
+        os.kill(ranks[-1], signal.SIGKILL)
+        child.communicate(timeout=60)
+        self.assertNotEqual(child.returncode, 0)
+        self.assertEqual(self.ranks_of(child), [])
+        step = max(int(path.name[5:]) for path in (self.folder / "out/checkpoints").glob("step_*"))
+        end = (step + 60) * 2 * 0.02 / 18  # the shear rate is 2 U0/L
+        self.run_well("run", "--resume", "out", "--shear-time", end, ranks=2)
+        self.run_well("run", "case.toml", "--output", "whole", "--shear-time", end, "--set", "run.checkpoint_every=0.01")
+        self.assert_same("whole", "out")
+
+
+if __name__ == "__main__":
+    OnRanks.program, OnRanks.mpirun = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2]
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
