@@ -43,6 +43,7 @@ class Packing {
 
  private:
   void append(const void* from, std::size_t size) {
+    if (size == 0) return;
     const auto* first = static_cast<const std::byte*>(from);
     bytes_.insert(bytes_.end(), first, first + size);
   }

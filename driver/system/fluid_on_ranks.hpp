@@ -45,15 +45,20 @@ class FluidOnRanks final : public fluid::Fluid {
   void restore(const fluid::State& state) override;
 
  private:
-  template <class Own, class OfPart>
-  void gather(int components, std::span<double> of_box, Own own, OfPart ask) const;
   void tell_all(std::span<const std::byte> message) const;
+  /// Tells the others which nodes are meant, if they are not those of before.
+  const std::vector<NodeShare>& shares_of(std::span<const std::int64_t> nodes) const;
+  std::vector<double> answer_of(int rank) const;
+  void gather(std::span<const double> own, int components, std::span<double> of_box) const;
+  void add_part(const fluid::State& part, int rank, fluid::State& state) const;
 
   const ranks::World& world_;
   ranks::Division division_;
   fluid::GridShape shape_;
   double base_viscosity_;              ///< of nodes that have none of their own
   std::unique_ptr<fluid::Fluid> own_;  ///< the first rank's part
+  mutable NodeShares asked_;           ///< of velocities and forces, whose nodes are mostly those of before
+  NodeShares changed_;                 ///< of viscosities
   mutable std::vector<double> force_;
   bool broken_ = false;
 };

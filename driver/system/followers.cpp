@@ -31,6 +31,7 @@ class Follower {
       case Order::give_up_part:
         end_exchange(*part_, message.take<bool>());
         part_.reset();
+        nodes_.clear();
         return true;
       case Order::end:
         return false;
@@ -44,17 +45,16 @@ class Follower {
     const auto n = static_cast<std::size_t>(part_->shape().size());
     switch (order) {
       case Order::velocity: {
-        const auto nodes = message.take_all<std::int64_t>();
-        Numbers velocity(3 * nodes.size());
-        part_->velocity(nodes, velocity);
+        Numbers velocity(3 * nodes_.size());
+        part_->velocity(nodes_, velocity);
         answer(Packing().put_all(velocity));
         return true;
       }
       case Order::free_velocity: {
-        const auto nodes = message.take_all<std::int64_t>();
-        Numbers velocity(3 * nodes.size()), mobility(nodes.size());
-        part_->free_velocity(nodes, velocity, mobility);
-        answer(Packing().put_all(velocity).put_all(mobility));
+        Numbers velocity(3 * nodes_.size()), mobility(nodes_.size());
+        part_->free_velocity(nodes_, velocity, mobility);
+        answer(Packing().put_all(velocity));
+        answer(Packing().put_all(mobility));
         return true;
       }
       case Order::dissipation: {
@@ -72,7 +72,8 @@ class Follower {
       case Order::moments: {
         Numbers density(n), velocity(3 * n);
         part_->moments(density, velocity);
-        answer(Packing().put_all(density).put_all(velocity));
+        answer(Packing().put_all(density));
+        answer(Packing().put_all(velocity));
         return true;
       }
       case Order::force:
@@ -99,10 +100,11 @@ class Follower {
   /// Orders without an answer.
   void change(Order order, Unpacking& message) {
     switch (order) {
-      case Order::add_force: {
-        const auto nodes = message.take_all<std::int64_t>();
-        return part_->add_force(nodes, message.take_all<double>());
-      }
+      case Order::nodes:
+        nodes_ = message.take_all<std::int64_t>();
+        return;
+      case Order::add_force:
+        return part_->add_force(nodes_, message.take_all<double>());
       case Order::clear_force:
         return part_->clear_force();
       case Order::set_viscosities:
@@ -122,6 +124,7 @@ class Follower {
 
   const ranks::World& world_;
   std::unique_ptr<fluid::Fluid> part_;
+  Nodes nodes_;  ///< that velocities and forces are of
 };
 
 }  // namespace

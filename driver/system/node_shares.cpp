@@ -5,55 +5,104 @@
 #include <string>
 
 namespace tanktread::driver {
+namespace {
 
-std::vector<NodeShare> node_shares(const ranks::Division& division, std::span<const std::int64_t> nodes) {
-  const auto& n = division.box().n;
-  std::vector<NodeShare> shares(static_cast<std::size_t>(division.n_ranks()));
-  std::vector<ranks::Block> blocks;
-  for (int rank = 0; rank < division.n_ranks(); ++rank) blocks.push_back(division.block(rank));
-  for (std::size_t place = 0; place < nodes.size(); ++place) {
-    const std::int64_t node = nodes[place];
-    if (node < 0 || node >= std::int64_t{n[0]} * n[1] * n[2])
-      throw std::invalid_argument("node " + std::to_string(node) + " is outside the box");
-    const std::int64_t row = node / n[0];
-    const ranks::Triple at = {static_cast<int>(node % n[0]), static_cast<int>(row % n[1]),
-                              static_cast<int>(row / n[1])};
-    const auto rank = static_cast<std::size_t>(division.owner(at));
-    const auto& block = blocks[rank];
-    const fluid::GridShape shape = {block.n[0], block.n[1], block.n[2]};
-    shares[rank].nodes.push_back(
-        shape.index(at[0] - block.begin[0], at[1] - block.begin[1], at[2] - block.begin[2]));
-    shares[rank].places.push_back(place);
-  }
-  return shares;
-}
-
-std::vector<std::int64_t> nodes_of_rank(const ranks::Division& division, int rank) {
+/// Calls body(first node of the box, number) for each row of a block.
+template <class Body>
+void for_each_row(const ranks::Division& division, int rank, const Body& body) {
   const auto block = division.block(rank);
   const auto& n = division.box().n;
-  std::vector<std::int64_t> nodes;
-  nodes.reserve(static_cast<std::size_t>(block.n[0]) * block.n[1] * block.n[2]);
   for (int z = block.begin[2]; z < block.begin[2] + block.n[2]; ++z)
     for (int y = block.begin[1]; y < block.begin[1] + block.n[1]; ++y)
-      for (int x = block.begin[0]; x < block.begin[0] + block.n[0]; ++x)
-        nodes.push_back((std::int64_t{z} * n[1] + y) * n[0] + x);
-  return nodes;
+      body((std::int64_t{z} * n[1] + y) * n[0] + block.begin[0], block.n[0]);
+}
+
+std::size_t numbers_in(const ranks::Division& division, int rank, int components) {
+  const auto& n = division.block(rank).n;
+  return static_cast<std::size_t>(components) * n[0] * n[1] * n[2];
+}
+
+}  // namespace
+
+NodeShares::NodeShares(const ranks::Division& division)
+    : shape_{division.box().n[0], division.box().n[1], division.box().n[2]},
+      parts_(division.parts()),
+      shares_(static_cast<std::size_t>(division.n_ranks())) {
+  for (int rank = 0; rank < division.n_ranks(); ++rank) blocks_.push_back(division.block(rank));
+  for (int x = 0; x < shape_.nx; ++x) part_x_.push_back(division.place(division.owner({x, 0, 0}))[0]);
+  for (int y = 0; y < shape_.ny; ++y) part_y_.push_back(division.place(division.owner({0, y, 0}))[1]);
+  for (int z = 0; z < shape_.nz; ++z) part_z_.push_back(division.place(division.owner({0, 0, z}))[2]);
+}
+
+bool NodeShares::divide(std::span<const std::int64_t> nodes) {
+  if (std::ranges::equal(nodes, nodes_)) return false;
+  nodes_.assign(nodes.begin(), nodes.end());
+  for (auto& share : shares_) {
+    share.nodes.clear();
+    share.places.clear();
+  }
+  // Neighbours in a list are mostly neighbours in a row, whose place is looked up once.
+  std::int64_t row_begin = 0, row_end = -1;
+  int y = 0, z = 0, first_of_row = 0;
+  for (std::size_t at = 0; at < nodes.size(); ++at) {
+    const std::int64_t node = nodes[at];
+    if (node < row_begin || node >= row_end) {
+      if (node < 0 || node >= shape_.size()) {
+        nodes_.clear();
+        throw std::invalid_argument("node " + std::to_string(node) + " is outside the box");
+      }
+      const std::int64_t row = node / shape_.nx;
+      row_begin = row * shape_.nx;
+      row_end = row_begin + shape_.nx;
+      y = static_cast<int>(row % shape_.ny);
+      z = static_cast<int>(row / shape_.ny);
+      first_of_row = (part_z_[z] * parts_[1] + part_y_[y]) * parts_[0];
+    }
+    const auto x = static_cast<int>(node - row_begin);
+    const int rank = first_of_row + part_x_[x];
+    const auto& [begin, n] = blocks_[rank];
+    shares_[rank].nodes.push_back((std::int64_t{z - begin[2]} * n[1] + (y - begin[1])) * n[0] +
+                                  (x - begin[0]));
+    shares_[rank].places.push_back(at);
+  }
+  return true;
 }
 
 std::vector<double> taken(std::span<const double> of_list, int components, const NodeShare& share) {
   std::vector<double> of_share(components * share.places.size());
   double* to = of_share.data();
-  for (const std::size_t place : share.places) to = std::copy_n(&of_list[components * place], components, to);
+  for (const std::size_t at : share.places) to = std::copy_n(&of_list[components * at], components, to);
   return of_share;
 }
 
 void place(std::span<const double> of_share, int components, const NodeShare& share,
            std::span<double> of_list) {
   const double* from = of_share.data();
-  for (const std::size_t place : share.places) {
-    std::copy_n(from, components, &of_list[components * place]);
+  for (const std::size_t at : share.places) {
+    std::copy_n(from, components, &of_list[components * at]);
     from += components;
   }
+}
+
+std::vector<double> block_of(std::span<const double> of_box, int components, const ranks::Division& division,
+                             int rank) {
+  std::vector<double> of_block(numbers_in(division, rank, components));
+  double* to = of_block.data();
+  for_each_row(division, rank, [&](std::int64_t node, int n) {
+    to = std::copy_n(&of_box[components * node], components * n, to);
+  });
+  return of_block;
+}
+
+void place_block(std::span<const double> of_block, int components, const ranks::Division& division, int rank,
+                 std::span<double> of_box) {
+  if (of_block.size() != numbers_in(division, rank, components))
+    throw std::logic_error("a rank gave another number of values than its part has nodes");
+  const double* from = of_block.data();
+  for_each_row(division, rank, [&](std::int64_t node, int n) {
+    std::copy_n(from, components * n, &of_box[components * node]);
+    from += components * n;
+  });
 }
 
 }  // namespace tanktread::driver

@@ -1,4 +1,4 @@
-// Lists of nodes of a box, told apart by the ranks that have them.
+// Nodes of a box, told apart by the ranks that have them.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,26 @@ struct NodeShare {
   std::vector<std::size_t> places;  ///< where they stand in the list
 };
 
-/// One share a rank, each in the order of the list. @throws std::invalid_argument for a node outside the box
-std::vector<NodeShare> node_shares(const ranks::Division& division, std::span<const std::int64_t> nodes);
+/// Lists of nodes divided among ranks. One list after the other: the last one is kept.
+class NodeShares {
+ public:
+  explicit NodeShares(const ranks::Division& division);
 
-/// The nodes of the box that a rank has, in the order of its own numbers.
-std::vector<std::int64_t> nodes_of_rank(const ranks::Division& division, int rank);
+  /// Divides a list, unless it is the one of before.
+  /// @return whether it is another one @throws std::invalid_argument for a node outside the box
+  bool divide(std::span<const std::int64_t> nodes);
+
+  /// One share a rank, each in the order of the list.
+  const std::vector<NodeShare>& shares() const { return shares_; }
+
+ private:
+  fluid::GridShape shape_;
+  ranks::Triple parts_;
+  std::vector<ranks::Block> blocks_;           ///< of each rank
+  std::vector<int> part_x_, part_y_, part_z_;  ///< the part that has each position along an axis
+  std::vector<std::int64_t> nodes_;
+  std::vector<NodeShare> shares_;
+};
 
 /// The numbers of a share, `components` a node, from those of the list.
 std::vector<double> taken(std::span<const double> of_list, int components, const NodeShare& share);
@@ -28,5 +43,13 @@ std::vector<double> taken(std::span<const double> of_list, int components, const
 /// Puts the numbers of a share to their places in those of the list.
 void place(std::span<const double> of_share, int components, const NodeShare& share,
            std::span<double> of_list);
+
+/// Numbers of all nodes of a rank's block, `components` a node, from those of the box.
+std::vector<double> block_of(std::span<const double> of_box, int components, const ranks::Division& division,
+                             int rank);
+
+/// Puts the numbers of a rank's block to their places in those of the box.
+void place_block(std::span<const double> of_block, int components, const ranks::Division& division, int rank,
+                 std::span<double> of_box);
 
 }  // namespace tanktread::driver

@@ -14,12 +14,13 @@ namespace tanktread::driver {
 enum class Order {
   make_part,         ///< Division, settings
   give_up_part,      ///< whether the flow broke down
-  velocity,          ///< nodes; velocity
-  free_velocity,     ///< nodes; velocity, mobility
+  nodes,             ///< the nodes of the next three
+  velocity,          ///< ; velocity
+  free_velocity,     ///< ; velocity, and a message with the mobility
   dissipation,       ///< ; power
   wall_power,        ///< ; power
-  moments,           ///< ; density, velocity
-  add_force,         ///< nodes, force
+  moments,           ///< ; density, and a message with the velocity
+  add_force,         ///< force
   clear_force,       ///<
   force,             ///< ; force
   set_viscosities,   ///< of every node of the part
