@@ -70,7 +70,7 @@ struct Files {
   }
 };
 
-struct Refused {
+struct RefusedPlace {
   Eigen::Vector3d stretch;
   std::vector<std::string> fine, refused;
   std::vector<std::string> words;
@@ -79,7 +79,7 @@ struct Refused {
 TEST(Placement, RefusesOneOnEachSideOfItsBound) {
   // The kernel reaches 3. An ellipsoid has nodes at the ends of its axes.
   const Eigen::Vector3d disc(2, 1, 0.5), sphere(1, 1, 1), tall(1, 1, 2);
-  const std::vector<Refused> all = {
+  const std::vector<RefusedPlace> all = {
       {disc,
        {"capsule.0.position.2=5.5"},
        {"capsule.0.position.2=5.4"},
