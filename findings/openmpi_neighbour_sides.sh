@@ -9,12 +9,12 @@
 # right. A program that is tested on four ranks or more in a row, and then run on two, exchanges its borders wrongly and says nothing.
 #
 # Seen:
-# | MPI_Neighbor_alltoall, 1 ranks: each from its side
-# | MPI_Neighbor_alltoall, 2 ranks: each from its side
-# | MPI_Neighbor_alltoall, 3 ranks: each from its side
 # | MPI_Ineighbor_alltoall, 1 ranks: the sides are exchanged
 # | MPI_Ineighbor_alltoall, 2 ranks: the sides are exchanged
 # | MPI_Ineighbor_alltoall, 3 ranks: each from its side
+# | MPI_Neighbor_alltoall, 1 ranks: each from its side
+# | MPI_Neighbor_alltoall, 2 ranks: each from its side
+# | MPI_Neighbor_alltoall, 3 ranks: each from its side
 #
 # What we do: ranks/mpi_neighbour_messages.cpp sends from point to point, with a tag a direction.
 source "$(dirname "$0")/packages.bash"
