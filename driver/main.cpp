@@ -111,6 +111,7 @@ int follow_first(const tanktread::ranks::World& world) {
   } catch (const std::exception& error) {
     fail(exit_run_failed, fmt::format("rank {}: {}", world.rank(), error.what()).c_str());
   }
+  std::fflush(nullptr);
   world.abort(exit_run_failed);
 }
 
@@ -122,7 +123,10 @@ int main(int argc, char** argv) try {
   tanktread::driver::set_ranks(&world);
   bool known = true;
   const int exit_code = obey(argc, argv, known);
-  if (!known && world.size() > 1) world.abort(exit_code);
+  if (!known && world.size() > 1) {
+    std::fflush(nullptr);
+    world.abort(exit_code);
+  }
   tanktread::driver::end_followers(world);
   return exit_code;
 } catch (const std::runtime_error& error) {

@@ -31,8 +31,8 @@ class HaloExchange {
  public:
   virtual ~HaloExchange() = default;
 
-  /// Called once, before all else. The memory of the messages belongs to the solver and stays where it is
-  /// until the solver is gone; so must this.
+  /// Called once, before all else. The memory of the messages belongs to the solver, and stays where it is
+  /// until this is gone.
   virtual void connect(std::span<const HaloMessage> messages) = 0;
 
   /// What is in `outgoing` may go, and `incoming` may be written. Does not wait.

@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <utility>
 
 #include "fluid/border_checks.hpp"
+#include "fluid/breakdown_report.hpp"
 #include "fluid/developed_flow.hpp"
 #include "fluid/force_field.hpp"
 #include "fluid/incoming_moments.hpp"
@@ -14,6 +15,7 @@
 #include "fluid/node_dissipation.hpp"
 #include "fluid/node_moments.hpp"
 #include "fluid/node_rates.hpp"
+#include "fluid/part_rows.hpp"
 #include "fluid/population_halo.hpp"
 #include "fluid/population_lattice.hpp"
 #include "fluid/row_sweep.hpp"
@@ -36,13 +38,13 @@ class LatticeBoltzmann final : public Fluid {
         part_(part),
         limit_squared_(static_cast<Real>(settings.speed_limit * settings.speed_limit)),
         n_threads_(settings.threads > 0 ? settings.threads : omp_get_max_threads()),
-        exchange_(std::move(exchange)),
         lattice_(settings.shape, settings.walls, part),
+        exchange_(std::move(exchange)),
         rates_(settings, part.shape),
         force_(part.shape, settings.body_force, n_threads_),
         kept_velocity_(part.shape) {
     if (exchange_) halo_.emplace(lattice_, *exchange_);
-    sort_rows();
+    rows_ = rows_of(lattice_);
     for_each_row([&](int y, int z) {
       for (int x = 0; x < shape().nx; ++x)
         put_outgoing(
@@ -194,26 +196,8 @@ class LatticeBoltzmann final : public Fluid {
     if (halo_) halo_->receive();
   }
 
-  /// Which rows a step can advance before what comes from other parts is there.
-  void sort_rows() {
-    const int ny = shape().ny, nz = shape().nz;
-    const auto at_cut = [&](int axis, int position, int n) {
-      return lattice_.is_cut(axis) && (position == 0 || position == n - 1);
-    };
-    for (int z = 0; z < nz; ++z) {
-      for (int y = 0; y < ny; ++y) {
-        const bool waits = lattice_.is_cut(0) || at_cut(1, y, ny) || at_cut(2, z, nz);
-        (waits ? rows_at_cuts_ : inner_rows_).push_back(std::int64_t{z} * ny + y);
-      }
-    }
-  }
-
-  Turn next_turn() const {
-    return step_ % 2 == 0 ? Turn::streaming : Turn::local;
-  }
-  Turn last_turn() const {
-    return step_ % 2 == 0 ? Turn::local : Turn::streaming;
-  }
+  Turn next_turn() const { return step_ % 2 == 0 ? Turn::streaming : Turn::local; }
+  Turn last_turn() const { return step_ % 2 == 0 ? Turn::local : Turn::streaming; }
 
   template <typename Body>
   void for_each_row(Body&& body) const {
@@ -268,10 +252,10 @@ class LatticeBoltzmann final : public Fluid {
         SweepParts<Real>{lattice_, rates_, force_, kept_velocity_, limit_squared_}, turn);
     Met met{0.0, shape().size() / shape().nx};
     const std::int64_t none = met.first_bad_row;
-    advance(sweep, inner_rows_, met);
+    advance(sweep, rows_.inner, met);
     receive();  // while these rows went on, it came
-    advance(sweep, rows_at_cuts_, met);
-    if (met.first_bad_row < none) report_breakdown(met.first_bad_row);
+    advance(sweep, rows_.at_cuts, met);
+    if (met.first_bad_row < none) break_down(met.first_bad_row);
     return met.highest_squared;
   }
 
@@ -298,45 +282,24 @@ class LatticeBoltzmann final : public Fluid {
     met = {highest_squared, first_bad_row};
   }
 
-  /// Looks for the node that broke down in a row the step has just written.
-  [[noreturn]] void report_breakdown(std::int64_t row) {
+  /// Ends a step that broke down in a row. The part has sent all the same, so that its neighbours, who know
+  /// nothing of it, need not be waited for by nobody.
+  [[noreturn]] void break_down(std::int64_t row) {
     ++step_;
-    const int ny = shape().ny;
-    const int y = static_cast<int>(row % ny), z = static_cast<int>(row / ny);
-    const auto& begin = part_.begin;
-    const auto in_box = [&](int x) {
-      return settings_.shape.index(begin[0] + x, begin[1] + y, begin[2] + z);
-    };
-    std::ostringstream message;
-    message << "step " << step_ << ": ";
+    if (halo_) halo_->send(last_turn());
     auto reader = moment_reader();
-    for (int x = 0; x < shape().nx; ++x) {
-      const auto moments = reader.at(shape().index(x, y, z));
-      const auto& u = moments.velocity;
-      const double speed = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
-      if (speed < settings_.speed_limit) continue;
-      message << "the fluid velocity at node (" << begin[0] + x << ", " << begin[1] + y << ", "
-              << begin[2] + z << ") is (" << u[0] << ", " << u[1] << ", " << u[2] << "), density "
-              << moments.density << "; "
-              << (std::isfinite(speed) ? "its speed is over speed_limit, "
-                                       : "it must be finite and its speed below speed_limit, ")
-              << settings_.speed_limit;
-      throw Breakdown(message.str(), in_box(x));
-    }
-    message << "the fluid speed reached speed_limit, " << settings_.speed_limit
-            << " in row y = " << begin[1] + y << ", z = " << begin[2] + z;
-    throw Breakdown(message.str(), in_box(0));
+    throw_breakdown(reader, settings_, part_, step_, row);
   }
 
   LatticeBoltzmannSettings settings_;
   GridPart part_;
   Real limit_squared_;  ///< of the speed
   int n_threads_;
-  std::unique_ptr<HaloExchange> exchange_;
   PopulationLattice<Real> lattice_;
   /// Of a part only. What comes from others may be received when it is asked for: nothing outside can tell.
   mutable std::optional<PopulationHalo<Real>> halo_;
-  std::vector<std::int64_t> inner_rows_, rows_at_cuts_;  ///< numbers of rows, z ny + y
+  std::unique_ptr<HaloExchange> exchange_;  ///< goes before the memory of its messages
+  PartRows rows_;
   NodeRates<Real> rates_;
   ForceField force_;
   KeptVelocity<Real> kept_velocity_;

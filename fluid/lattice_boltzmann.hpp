@@ -84,7 +84,7 @@ inline constexpr int bytes_of_number(Storage storage) {
 
 /// Bytes of memory a node takes: its 19 populations. Left out: padding; force and velocity on nodes around
 /// which forces have acted (below); 8 a node whose viscosity is not that of the settings, and two numbers of
-/// the lattice where it differs within eight or sixteen nodes.
+/// the lattice where it differs within a pack of nodes (eight doubles or sixteen floats, with AVX-512).
 inline constexpr int lattice_boltzmann_memory_per_node(Storage storage) {
   return 19 * bytes_of_number(storage);
 }

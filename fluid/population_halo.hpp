@@ -26,7 +26,7 @@ namespace tanktread::fluid {
 template <typename Real>
 class PopulationHalo {
  public:
-  /// @param exchange must outlive this; connected here
+  /// @param exchange borrowed, and connected here; it must be gone before this, whose memory it writes to
   PopulationHalo(PopulationLattice<Real>& lattice, HaloExchange& exchange);
 
   /// Sends what the last step, of this kind, has left for the neighbours.

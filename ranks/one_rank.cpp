@@ -1,6 +1,7 @@
 // World and NeighbourMessages of a program without MPI.
 #include <cstdlib>
 #include <stdexcept>
+#include <string>
 
 #include "ranks/neighbour_messages.hpp"
 #include "ranks/world.hpp"
@@ -10,7 +11,15 @@ namespace tanktread::ranks {
 struct World::Communicator {};
 struct NeighbourMessages::Requests {};
 
-World::World(int*, char***) {}
+World::World(int*, char***) {
+  // Each of several would take itself for the only one, and all would do the same work.
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
+    const char* size = std::getenv(name);
+    if (size != nullptr && std::atoi(size) > 1)
+      throw std::runtime_error(std::string("started as ") + size +
+                               " processes, but built without MPI; configure with -DTANKTREAD_MPI=ON");
+  }
+}
 World::~World() = default;
 
 const char* World::library() {

@@ -14,7 +14,7 @@ namespace tanktread::ranks {
 class World {
  public:
   /// Begins MPI, if this process is one of mpirun's (or srun's). The arguments are those of main().
-  /// @throws std::runtime_error if MPI cannot begin
+  /// @throws std::runtime_error if MPI cannot begin, or is not built in where there are several processes
   World(int* argc, char*** argv);
   /// Ends MPI. Together.
   ~World();
@@ -25,7 +25,7 @@ class World {
   int size() const { return size_; }
   bool is_first() const { return rank_ == 0; }
 
-  /// "Open MPI 4.1.4", "none".
+  /// "Open MPI v4.1.4"; "none".
   static const char* library();
 
   /// Ends all ranks at once with this exit code, wherever they are. What this rank has to say must have been

@@ -8,13 +8,16 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <climits>
 #include <csignal>
 #include <cstring>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace tanktread::driver {
 namespace {
@@ -100,6 +103,20 @@ std::string shown(const std::string& text) {
   return line.size() < text.size() ? line + "..." : line;
 }
 
+/// Our environment without what mpirun tells its ranks by: a program that uses MPI itself would take itself
+/// for one of them.
+std::vector<char*> environment_of_program() {
+  std::vector<char*> kept;
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    const std::string_view text = *variable;
+    const auto begins_with = [&](std::string_view prefix) { return text.starts_with(prefix); };
+    if (std::ranges::none_of(std::array{"OMPI_COMM_WORLD_", "PMIX_", "PMI_"}, begins_with))
+      kept.push_back(*variable);
+  }
+  kept.push_back(nullptr);
+  return kept;
+}
+
 }  // namespace
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command, double seconds) : time_limit_(seconds) {
@@ -108,8 +125,9 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, double secon
   std::vector<char*> arguments;
   for (const auto& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
   arguments.push_back(nullptr);
+  const auto environment = environment_of_program();
   const int error = posix_spawnp(&process_, arguments[0], beginning.actions(), beginning.attributes(),
-                                 arguments.data(), environ);
+                                 arguments.data(), environment.data());
   if (error != 0) fail(error, arguments[0]);
   input_ = to_child.take(1);
   output_ = from_child.take(0);

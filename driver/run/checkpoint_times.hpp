@@ -16,12 +16,13 @@ class CheckpointTimes {
       : every_(every), last_step_(last_step), seconds_between_(60 * minutes) {}
 
   /// Whether one is due after this step. @param seconds since the start of the run
-  bool due(std::int64_t step, double seconds) {
+  bool due(std::int64_t step, double seconds) const {
     const bool by_clock = seconds_between_ > 0 && seconds - last_ >= seconds_between_;
-    const bool due = by_clock || every_.due(step) || step == last_step_;
-    if (due) last_ = seconds;
-    return due;
+    return by_clock || every_.due(step) || step == last_step_;
   }
+
+  /// One was written: the minutes begin anew, from the end of the writing, which takes time itself.
+  void wrote(double seconds) { last_ = seconds; }
 
  private:
   Schedule every_;

@@ -40,8 +40,9 @@ int run_case(const RunArguments& arguments) {
   options.packets = arguments.packets;
   const auto the_case = read_case(arguments.case_file, arguments.assignments);
   check_output_directory(options.output, options.force);  // before the probe of the speed
+  const auto of_ranks = ranks_line(the_case);             // which may refuse the case
   const auto plan = make_plan(the_case);
-  fmt::print("{}{}", plan.echo, ranks_line(the_case));
+  fmt::print("{}{}", plan.echo, of_ranks);
   return run_new(plan, options);
 }
 

@@ -108,8 +108,10 @@ double advance_and_write(System& system, Passage& passage, const Plan& plan, Out
   advance(system, passage);
   const double before = progress.seconds();
   progress.observe(output.write(system, system.step == last_step));
-  if (checkpoints.due(system.step, before))
+  if (checkpoints.due(system.step, before)) {
     write_checkpoint(system, plan.the_case, output.row_counts(), directory);
+    checkpoints.wrote(progress.seconds());
+  }
   const double files = progress.seconds() - before;
   progress.update(system.step);
   return files;
@@ -239,6 +241,7 @@ int run_resumed(const ResumeOptions& options) {
   const auto& directory = options.directory;
   const auto former_case = read_echo(directory, {});
   const auto the_case = read_echo(directory, assignments_of(options));
+  const auto of_ranks = ranks_line(the_case);
   find_checkpoint(directory, options.from.step);  // a place without one is not a run's: no lock there
   const DirectoryLock lock(directory);
   const auto numbers = parameters(the_case);
@@ -254,7 +257,7 @@ int run_resumed(const ResumeOptions& options) {
   }
   check_packets(options.packets, directory, start.point.step, last_step);
   const auto plan = make_plan(the_case, start.state.shapes, bytes_of(start.state.fluid));
-  fmt::print("{}{}resuming from {}\n", plan.echo, ranks_line(the_case), start.folder.string());
+  fmt::print("{}{}resuming from {}\n", plan.echo, of_ranks, start.folder.string());
   if (!start.state.the_case) {
     fmt::print(
         "note: the checkpoint is of an earlier version and does not hold its case: echo.toml is taken as "

@@ -1,6 +1,7 @@
 #include "driver/system/fluid_on_ranks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -25,6 +26,16 @@ void check_size(const char* what, std::size_t size, std::size_t needed) {
                               std::to_string(size) + " numbers, " + std::to_string(needed) + " are needed");
 }
 
+/// Before any rank is told: one that refuses could only end all. @throws std::invalid_argument
+void check_viscosity(std::span<const double> kinematic_viscosity) {
+  for (std::size_t k = 0; k < kinematic_viscosity.size(); ++k) {
+    if (std::isfinite(kinematic_viscosity[k]) && kinematic_viscosity[k] > 0) continue;
+    throw std::invalid_argument("fluid on ranks: value " + std::to_string(k) +
+                                " of the kinematic viscosity is " + std::to_string(kinematic_viscosity[k]) +
+                                ", must be > 0 and finite");
+  }
+}
+
 }  // namespace
 
 FluidOnRanks::FluidOnRanks(const ranks::World& world, const ranks::Division& division,
@@ -42,10 +53,8 @@ FluidOnRanks::FluidOnRanks(const ranks::World& world, const ranks::Division& div
 }
 
 FluidOnRanks::~FluidOnRanks() {
-  auto message = order(Order::give_up_part);
-  message.put(broken_);
-  tell_all(message.bytes());
-  end_exchange(*own_, broken_);
+  tell_all(order(Order::give_up_part).bytes());
+  end_exchange(*own_);
 }
 
 void FluidOnRanks::tell_all(std::span<const std::byte> message) const {
@@ -151,6 +160,7 @@ std::span<const double> FluidOnRanks::force() const {
 
 void FluidOnRanks::set_viscosity(std::span<const double> kinematic_viscosity) {
   check_size("set_viscosity()", kinematic_viscosity.size(), static_cast<std::size_t>(shape_.size()));
+  check_viscosity(kinematic_viscosity);
   own_->set_viscosity(block_of(kinematic_viscosity, 1, division_, 0));
   for (int rank = 1; rank < world_.size(); ++rank) {
     world_.send(
@@ -162,6 +172,7 @@ void FluidOnRanks::set_viscosity(std::span<const double> kinematic_viscosity) {
 void FluidOnRanks::set_viscosity(std::span<const std::int64_t> nodes,
                                  std::span<const double> kinematic_viscosity) {
   check_size("set_viscosity()", kinematic_viscosity.size(), nodes.size());
+  check_viscosity(kinematic_viscosity);
   changed_.divide(nodes);
   const auto& shares = changed_.shares();
   own_->set_viscosity(shares[0].nodes, taken(kinematic_viscosity, 1, shares[0]));
@@ -184,10 +195,7 @@ double FluidOnRanks::step() {
     highest = std::max(highest, answer.highest_speed);
     if (answer.broke_down && (!first.broke_down || answer.node < first.node)) first = std::move(answer);
   }
-  if (first.broke_down) {
-    broken_ = true;
-    throw fluid::Breakdown(first.message, first.node);
-  }
+  if (first.broke_down) throw fluid::Breakdown(first.message, first.node);
   return highest;
 }
 
@@ -222,9 +230,11 @@ fluid::State FluidOnRanks::state() const {
 }
 
 void FluidOnRanks::restore(const fluid::State& state) {
-  for (const auto& array : state.arrays)
+  for (const auto& array : state.arrays) {
+    if (array.name == "viscosity") check_viscosity(array.values);
     check_size(("state array '" + array.name + "'").c_str(), array.values.size(),
                array.components * static_cast<std::size_t>(shape_.size()));
+  }
   for (int rank = 0; rank < world_.size(); ++rank) {  // its own first: what it refuses goes no further
     fluid::State part{state.step, {}};
     for (const auto& array : state.arrays)

@@ -60,7 +60,6 @@ class FluidOnRanks final : public fluid::Fluid {
   mutable NodeShares asked_;           ///< of velocities and forces, whose nodes are mostly those of before
   NodeShares changed_;                 ///< of viscosities
   mutable std::vector<double> force_;
-  bool broken_ = false;
 };
 
 }  // namespace tanktread::driver

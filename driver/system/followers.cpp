@@ -1,6 +1,7 @@
 #include "driver/system/followers.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <vector>
 
@@ -29,7 +30,7 @@ class Follower {
         return true;
       }
       case Order::give_up_part:
-        end_exchange(*part_, message.take<bool>());
+        end_exchange(*part_);
         part_.reset();
         nodes_.clear();
         return true;

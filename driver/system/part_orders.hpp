@@ -1,8 +1,9 @@
 // What the first rank tells the others, and what they answer. Internal to driver/system.
 #pragma once
 
+#include <cstdint>
 #include <memory>
-#include <vector>
+#include <string>
 
 #include "driver/system/halo_by_ranks.hpp"
 #include "fluid/lattice_boltzmann.hpp"
@@ -13,7 +14,7 @@ namespace tanktread::driver {
 /// An order begins a message; what follows it, and what is answered:
 enum class Order {
   make_part,         ///< Division, settings
-  give_up_part,      ///< whether the flow broke down
+  give_up_part,      ///<
   nodes,             ///< the nodes of the next three
   velocity,          ///< ; velocity
   free_velocity,     ///< ; velocity, and a message with the mobility
@@ -85,9 +86,8 @@ inline std::unique_ptr<fluid::Fluid> make_part(const ranks::World& world, const 
 }
 
 /// Before parts are given up together: what is under way between them comes in, so that no message is left.
-/// After a breakdown there are parts that have sent nothing.
-inline void end_exchange(const fluid::Fluid& part, bool broken) {
-  if (!broken) part.free_velocity({}, {}, {});
+inline void end_exchange(const fluid::Fluid& part) {
+  part.free_velocity({}, {}, {});
 }
 
 }  // namespace tanktread::driver

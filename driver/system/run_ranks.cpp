@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <stdexcept>
 
 #include "driver/program/errors.hpp"
@@ -33,12 +34,18 @@ ranks::Division division_of(const Case& the_case, int n_ranks) {
   ranks::Box box{the_case.flow.box, {true, true, true}, least_nodes};
   if (the_case.flow.kind != "periodic") box.periodic[the_case.flow.wall_axis] = false;
   const bool is_given = wanted != RunCase().ranks;
-  if (is_given && wanted[0] * wanted[1] * wanted[2] != n_ranks) {
+  const auto n_wanted = std::int64_t{wanted[0]} * wanted[1] * wanted[2];
+  if (is_given && n_wanted == 0) {
     throw InputError(fmt::format(
-        "run.ranks = [{}, {}, {}]: is for {} ranks, and there {}; remove it, or start the program with "
-        "mpirun -n {}",
-        wanted[0], wanted[1], wanted[2], wanted[0] * wanted[1] * wanted[2],
-        n_ranks == 1 ? "is 1" : fmt::format("are {}", n_ranks), wanted[0] * wanted[1] * wanted[2]));
+        "run.ranks = [{}, {}, {}]: a number of parts must be 1 at least along each axis, or 0 along all",
+        wanted[0], wanted[1], wanted[2]));
+  }
+  if (is_given && n_wanted != n_ranks) {
+    throw InputError(fmt::format(
+        "run.ranks = [{0}, {1}, {2}]: is for {3} ranks, and there {4}; start the program with mpirun -n {3}, "
+        "or "
+        "remove the key (from echo.toml in the output directory, to resume a run)",
+        wanted[0], wanted[1], wanted[2], n_wanted, n_ranks == 1 ? "is 1" : fmt::format("are {}", n_ranks)));
   }
   try {
     return is_given ? ranks::Division(box, wanted) : ranks::least_surface(box, n_ranks);
@@ -50,8 +57,8 @@ ranks::Division division_of(const Case& the_case, int n_ranks) {
 
 std::string ranks_line(const Case& the_case) {
   const auto* world = other_ranks();
+  const auto division = division_of(the_case, world ? world->size() : 1);
   if (world == nullptr) return "";
-  const auto division = division_of(the_case, world->size());
   const auto block = division.block(0);
   return fmt::format("on {} ranks ({}): {} parts, the first of {} nodes\n", world->size(),
                      ranks::World::library(), text(division.parts()), text(block.n));

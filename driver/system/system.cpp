@@ -25,8 +25,9 @@ void mark_start(System& system) {
 
 /// On one rank or on all.
 std::unique_ptr<fluid::Fluid> make_fluid_on_ranks(const Case& the_case, const FlowParameters& parameters) {
-  const auto division = division_of(the_case, other_ranks() ? other_ranks()->size() : 1);
-  if (!other_ranks()) return make_fluid(the_case, parameters);
+  if (!other_ranks())
+    return make_fluid(the_case, parameters);  // whatever run.ranks says: plan may be asked here
+  const auto division = division_of(the_case, other_ranks()->size());
   if (!the_case.flow.command.empty())
     throw InputError("flow.command: a program in the place of the fluid has one rank; start without mpirun");
   return std::make_unique<FluidOnRanks>(*other_ranks(), division, fluid_settings(the_case, parameters));

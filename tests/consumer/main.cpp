@@ -1,4 +1,4 @@
-// One step of an inflated capsule in a fluid at rest, with the four installed libraries and none of the
+// One step of an inflated capsule in a fluid at rest, with the five installed libraries and none of the
 // driver; then the surface goes to a file and back. Usage: consumer FILE.vtu
 #include <algorithm>
 #include <cstdio>
@@ -10,6 +10,7 @@
 #include "exchange/vtk_files.hpp"
 #include "fluid/lattice_boltzmann.hpp"
 #include "membrane/membrane.hpp"
+#include "ranks/division.hpp"
 
 namespace {
 
@@ -73,6 +74,8 @@ int main(int argc, char** argv) try {
   const double speed = step_with_force(points, force);
   require(speed > 0, "the capsule does not move the fluid");
   to_file_and_back(sphere, argv[1]);
+  const auto halves = ranks::least_surface({{box, box, box}}, 2);
+  require(halves.block(1).begin == ranks::Triple{0, 0, box / 2}, "half of the box does not begin in the middle");
   std::printf("consumer: highest speed %.3g after one step; all as it should be\n", speed);
   return 0;
 } catch (const std::exception& error) {

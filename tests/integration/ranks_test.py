@@ -142,6 +142,9 @@ class Ended(OnRanks):
             (("run", "case.toml", "--set", "run.ranks=[1,1,3]"), "mpirun -n 3", 2),
             (("run", "case.toml", "--set", "run.ranks=[1,2,1]"), "mpirun -n 2", 1),
             (("run", "case.toml"), "run.ranks: 9 parts along x", "9,1,1"),
+            (("run", "case.toml", "--set", "run.ranks=[0,1,2]"), "1 at least along each axis", 2),
+            (("run", "case.toml", "--set", "run.ranks=[1000000,1000000,1000000]"), "is for 1000000000000000000 ranks", 2),
+            (("run", "case.toml", "--set", 'flow.command=["sh"]', "--set", "output.energy_every=0"), "start without mpirun", 2),
         ):
             with self.subTest(arguments, ranks=ranks):
                 done = self.call(*arguments, "--output", "out", ranks=ranks)
@@ -162,12 +165,30 @@ class Ended(OnRanks):
         self.assertIn("node (", messages[0])
         self.assertEqual(messages[1:], messages[:1] * 2)
 
+    def test_a_signal_to_the_first_rank_ends_the_run_with_a_checkpoint(self):
+        child = self.started(2)
+        os.kill(self.ranks_of(child)[0], signal.SIGTERM)
+        child.communicate(timeout=60)
+        self.assertEqual(child.returncode, 143)
+        self.assertEqual(self.ranks_of(child), [])
+        self.assertIn("stopped by a signal", (self.folder / "log").read_text())
+
+    def test_commands_of_the_first_rank_alone(self):
+        """Under mpirun other commands are done once; a record is that of one rank; plan asks for no number of ranks."""
+        self.run_well("plan", "case.toml", "--set", "run.ranks=[1,1,3]")
+        self.assertEqual(self.run_well("mesh", "sphere", "--level", "1", "--radius", "4", "sphere.vtu", ranks=2).count("sphere.vtu"), 1)
+        for name, ranks in (("one", 1), ("two", 2)):
+            self.run_well("run", "case.toml", "--output", f"out-{name}", "--record", f"record-{name}", "--from", "3", "--to", "5", ranks=ranks)
+        done = subprocess.run([self.program, "diff", "record-one", "record-two"], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.run_well("replay", "record-two", ranks=2)
+
     def started(self, ranks):
         """mpirun with a long run that has written its first checkpoint."""
         child = subprocess.Popen(
             [self.mpirun, "-n", str(ranks), self.program, "run", "case.toml", "--output", "out", "--shear-time", "50",
              "--set", "run.checkpoint_every=0.01"],
-            cwd=self.folder, env=ENVIRONMENT, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            cwd=self.folder, env=ENVIRONMENT, stdout=(self.folder / "log").open("w"), stderr=subprocess.PIPE, text=True)
         deadline = time.monotonic() + 60
         while len(list((self.folder / "out/checkpoints").glob("step_*"))) < 2:
             self.assertIsNone(child.poll(), "it ended by itself")

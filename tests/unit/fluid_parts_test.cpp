@@ -179,6 +179,37 @@ TEST_P(FluidParts, go_on_from_a_state_of_the_whole_box) {
   }
 }
 
+// A part that breaks down has sent what its neighbours wait for: they end the step, and so all can be
+// restored.
+TEST_P(FluidParts, outlive_the_breakdown_of_one) {
+  const auto& division = std::get<2>(GetParam());
+  const auto whole = make_lattice_boltzmann(settings());
+  Parts parts(settings(), division.cuts);
+  for (const int n_before : {0, 1}) {
+    for (std::size_t k = 0; k < parts.fluids.size(); ++k) {
+      auto& fluid = *parts.fluids[k];
+      for (int step = 0; step < n_before; ++step) fluid.step();
+    }
+    parts.fluids.back()->add_force(std::vector<std::int64_t>{0}, Numbers{0, 1.0, 0});
+    for (auto& fluid : parts.fluids) {
+      if (fluid == parts.fluids.back()) {
+        EXPECT_THROW(fluid->step(), Breakdown);
+      } else {
+        fluid->step();
+      }
+    }
+    disturb(*whole);
+    parts.restore(whole->state());
+    for (int step = 0; step < 3; ++step) {
+      whole->step();
+      for (auto& fluid : parts.fluids) fluid->step();
+    }
+    for (std::size_t k = 0; k < parts.fluids.size(); ++k)
+      EXPECT_EQ(difference(parts.fluids[k]->state(), taken(whole->state(), parts.nodes[k])), "")
+          << "part " << k;
+  }
+}
+
 class FluidPartSettings : public testing::Test {
  protected:
   static LatticeBoltzmannSettings settings() {
