@@ -18,7 +18,7 @@ function(tanktread_rank_test name)
       continue()
     endif()
     add_test(NAME ${name}.${n} COMMAND ${command})
-    set_tests_properties(${name}.${n} PROPERTIES TIMEOUT 300 PROCESSORS 2 ENVIRONMENT
+    set_tests_properties(${name}.${n} PROPERTIES TIMEOUT 300 ENVIRONMENT
       "OMP_NUM_THREADS=1;OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMPI_MCA_rmaps_base_oversubscribe=1;OMPI_MCA_hwloc_base_binding_policy=none;OMPI_MCA_mpi_yield_when_idle=1")
   endforeach()
 endfunction()
@@ -32,5 +32,5 @@ endif()
 if(TANKTREAD_MPI AND TARGET tanktread AND NOT TANKTREAD_MISSING_COMPONENTS)
   add_test(NAME python.ranks COMMAND ${TANKTREAD_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/integration/ranks_test.py
     $<TARGET_FILE:tanktread> ${MPIEXEC_EXECUTABLE})
-  set_tests_properties(python.ranks PROPERTIES TIMEOUT 600 PROCESSORS 2 COST 60 ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1")
+  set_tests_properties(python.ranks PROPERTIES TIMEOUT 600 COST 60 ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1")
 endif()

@@ -181,14 +181,16 @@ class Ended(OnRanks):
             self.run_well("run", "case.toml", "--output", f"out-{name}", "--record", f"record-{name}", "--from", "3", "--to", "5", ranks=ranks)
         done = subprocess.run([self.program, "diff", "record-one", "record-two"], cwd=self.folder, capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        self.run_well("replay", "record-two", ranks=2)
+        self.run_well("replay", "record-two", "--only", "fluid", ranks=2)
 
     def started(self, ranks):
         """mpirun with a long run that has written its first checkpoint."""
+        log = (self.folder / "log").open("w")
+        self.addCleanup(log.close)
         child = subprocess.Popen(
             [self.mpirun, "-n", str(ranks), self.program, "run", "case.toml", "--output", "out", "--shear-time", "50",
              "--set", "run.checkpoint_every=0.01"],
-            cwd=self.folder, env=ENVIRONMENT, stdout=(self.folder / "log").open("w"), stderr=subprocess.PIPE, text=True)
+            cwd=self.folder, env=ENVIRONMENT, stdout=log, stderr=subprocess.PIPE, text=True)
         deadline = time.monotonic() + 60
         while len(list((self.folder / "out/checkpoints").glob("step_*"))) < 2:
             self.assertIsNone(child.poll(), "it ended by itself")
