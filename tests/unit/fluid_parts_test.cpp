@@ -96,32 +96,41 @@ const Division divisions[] = {
     {{18, 3, 3}, {{{0, 7, 18}, {0, 1, 2, 3}, {0, 1, 2, 3}}}},
 };
 
-class FluidParts : public testing::TestWithParam<std::tuple<Storage, int, Division>> {
+/// A division of a box; in each test with every storage, and walls across no axis and each.
+class FluidParts : public testing::TestWithParam<Division> {
  protected:
-  LatticeBoltzmannSettings settings(int threads = 1) const {
-    const auto& [storage, wall_axis, division] = GetParam();
+  static LatticeBoltzmannSettings settings(Storage storage, int wall_axis) {
     LatticeBoltzmannSettings settings;
     settings.storage = storage;
-    settings.shape = division.box;
+    settings.shape = GetParam().box;
     if (wall_axis >= 0) settings.walls = moving_walls(wall_axis);
     if (wall_axis >= 0) settings.start = Start::developed;
     settings.relaxation_time = 0.7;
     settings.body_force = {0, 0, 0};  // so that nodes without a force take their own way
-    settings.threads = threads;
+    settings.threads = 1;
     return settings;
+  }
+
+  template <class Body>
+  static void for_each_flow(const Body& body) {
+    for (const Storage storage : storages) {
+      for (const int wall_axis : {-1, 0, 1, 2}) {
+        SCOPED_TRACE(name_of(storage) + ", walls across " + std::to_string(wall_axis));
+        body(settings(storage, wall_axis));
+      }
+    }
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(every, FluidParts,
-                         testing::Combine(testing::ValuesIn(storages), testing::Values(-1, 0, 1, 2),
-                                          testing::ValuesIn(divisions)));
+INSTANTIATE_TEST_SUITE_P(every, FluidParts, testing::ValuesIn(divisions));
 
 // Forces that change every step, a viscosity a node, populations far from equilibrium. What the solvers say
 // is asked for after some of the steps only, so that messages are received by a step and by a question.
-TEST_P(FluidParts, are_the_whole_box) {
-  const auto whole = make_lattice_boltzmann(settings());
-  const auto& division = std::get<2>(GetParam());
-  Parts parts(settings(2), division.cuts);
+void compare_with_whole(const Division& division, const LatticeBoltzmannSettings& settings) {
+  const auto whole = make_lattice_boltzmann(settings);
+  auto of_parts = settings;
+  of_parts.threads = 2;
+  Parts parts(of_parts, division.cuts);
   for (std::size_t k = 0; k < parts.fluids.size(); ++k)
     EXPECT_EQ(difference(parts.fluids[k]->state(), taken(whole->state(), parts.nodes[k])), "")
         << "at the start";
@@ -159,14 +168,17 @@ TEST_P(FluidParts, are_the_whole_box) {
   }
 }
 
+TEST_P(FluidParts, are_the_whole_box) {
+  for_each_flow([](const LatticeBoltzmannSettings& settings) { compare_with_whole(GetParam(), settings); });
+}
+
 // A state of the whole box, after either turn, goes on in parts, in the middle of an exchange too.
-TEST_P(FluidParts, go_on_from_a_state_of_the_whole_box) {
-  const auto& division = std::get<2>(GetParam());
+void go_on_from_whole(const Division& division, const LatticeBoltzmannSettings& settings) {
   for (const int n_before : {4, 5}) {
-    const auto whole = make_lattice_boltzmann(settings());
+    const auto whole = make_lattice_boltzmann(settings);
     disturb(*whole);
     steps(*whole, n_before);
-    Parts parts(settings(), division.cuts);
+    Parts parts(settings, division.cuts);
     for (auto& fluid : parts.fluids) fluid->step();
     parts.restore(whole->state());
     for (int step = 0; step < 3; ++step) {
@@ -179,12 +191,15 @@ TEST_P(FluidParts, go_on_from_a_state_of_the_whole_box) {
   }
 }
 
+TEST_P(FluidParts, go_on_from_a_state_of_the_whole_box) {
+  for_each_flow([](const LatticeBoltzmannSettings& settings) { go_on_from_whole(GetParam(), settings); });
+}
+
 // A part that breaks down has sent what its neighbours wait for: they end the step, and so all can be
 // restored.
-TEST_P(FluidParts, outlive_the_breakdown_of_one) {
-  const auto& division = std::get<2>(GetParam());
-  const auto whole = make_lattice_boltzmann(settings());
-  Parts parts(settings(), division.cuts);
+void break_one_down(const Division& division, const LatticeBoltzmannSettings& settings) {
+  const auto whole = make_lattice_boltzmann(settings);
+  Parts parts(settings, division.cuts);
   for (const int n_before : {0, 1}) {
     for (std::size_t k = 0; k < parts.fluids.size(); ++k) {
       auto& fluid = *parts.fluids[k];
@@ -208,6 +223,10 @@ TEST_P(FluidParts, outlive_the_breakdown_of_one) {
       EXPECT_EQ(difference(parts.fluids[k]->state(), taken(whole->state(), parts.nodes[k])), "")
           << "part " << k;
   }
+}
+
+TEST_P(FluidParts, outlive_the_breakdown_of_one) {
+  for_each_flow([](const LatticeBoltzmannSettings& settings) { break_one_down(GetParam(), settings); });
 }
 
 class FluidPartSettings : public testing::Test {
