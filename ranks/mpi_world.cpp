@@ -97,17 +97,4 @@ std::vector<std::byte> World::receive(int rank) const {
   return bytes;
 }
 
-std::vector<std::byte> World::gather(std::span<const std::byte> bytes) const {
-  if (!is_first()) {
-    send(0, bytes);
-    return {};
-  }
-  std::vector<std::byte> gathered(bytes.begin(), bytes.end());
-  for (int rank = 1; rank < size_; ++rank) {
-    const auto more = receive(rank);
-    gathered.insert(gathered.end(), more.begin(), more.end());
-  }
-  return gathered;
-}
-
 }  // namespace tanktread::ranks

@@ -44,10 +44,6 @@ std::vector<std::byte> World::receive(int) const {
   throw std::logic_error("this program was built without MPI (TANKTREAD_MPI): there is no other rank");
 }
 
-std::vector<std::byte> World::gather(std::span<const std::byte> bytes) const {
-  return {bytes.begin(), bytes.end()};
-}
-
 NeighbourMessages::NeighbourMessages(const World&, const Division&,
                                      std::span<const NeighbourMessage> messages) {
   if (!messages.empty())

@@ -1,4 +1,4 @@
-// The ranks of a run: who they are, what they gather, how they end.
+// The ranks of a run: who they are, what they tell each other, how they end.
 #pragma once
 
 #include <cstddef>
@@ -44,10 +44,6 @@ class World {
 
   /// Waits for the next message of another rank.
   std::vector<std::byte> receive(int rank) const;
-
-  /// On the first rank what all have given, one after the other in the order of the ranks; elsewhere empty.
-  /// So a sum over ranks can be done in one order. Together.
-  std::vector<std::byte> gather(std::span<const std::byte> bytes) const;
 
  private:
   friend class NeighbourMessages;

@@ -103,17 +103,13 @@ std::vector<double> FluidOnRanks::answer_of(int rank) const {
 void FluidOnRanks::dissipation(std::span<double> power) const {
   check_size("dissipation()", power.size(), static_cast<std::size_t>(shape_.size()));
   tell_all(order(Order::dissipation).bytes());
-  std::vector<double> own(static_cast<std::size_t>(own_->shape().size()));
-  own_->dissipation(own);
-  gather(own, 1, power);
+  gather(power_in(*own_, &fluid::Fluid::dissipation), 1, power);
 }
 
 void FluidOnRanks::wall_power(std::span<double> power) const {
   check_size("wall_power()", power.size(), static_cast<std::size_t>(shape_.size()));
   tell_all(order(Order::wall_power).bytes());
-  std::vector<double> own(static_cast<std::size_t>(own_->shape().size()));
-  own_->wall_power(own);
-  gather(own, 1, power);
+  gather(power_in(*own_, &fluid::Fluid::wall_power), 1, power);
 }
 
 void FluidOnRanks::moments(std::span<double> density, std::span<double> velocity) const {

@@ -58,18 +58,12 @@ class Follower {
         answer(Packing().put_all(mobility));
         return true;
       }
-      case Order::dissipation: {
-        Numbers power(n);
-        part_->dissipation(power);
-        answer(Packing().put_all(power));
+      case Order::dissipation:
+        answer(Packing().put_all(power_in(*part_, &fluid::Fluid::dissipation)));
         return true;
-      }
-      case Order::wall_power: {
-        Numbers power(n);
-        part_->wall_power(power);
-        answer(Packing().put_all(power));
+      case Order::wall_power:
+        answer(Packing().put_all(power_in(*part_, &fluid::Fluid::wall_power)));
         return true;
-      }
       case Order::moments: {
         Numbers density(n), velocity(3 * n);
         part_->moments(density, velocity);

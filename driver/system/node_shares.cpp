@@ -36,6 +36,10 @@ NodeShares::NodeShares(const ranks::Division& division)
 
 bool NodeShares::divide(std::span<const std::int64_t> nodes) {
   if (std::ranges::equal(nodes, nodes_)) return false;
+  for (const std::int64_t node : nodes) {
+    if (node < 0 || node >= shape_.size())
+      throw std::invalid_argument("node " + std::to_string(node) + " is outside the box");
+  }
   nodes_.assign(nodes.begin(), nodes.end());
   for (auto& share : shares_) {
     share.nodes.clear();
@@ -47,10 +51,6 @@ bool NodeShares::divide(std::span<const std::int64_t> nodes) {
   for (std::size_t at = 0; at < nodes.size(); ++at) {
     const std::int64_t node = nodes[at];
     if (node < row_begin || node >= row_end) {
-      if (node < 0 || node >= shape_.size()) {
-        nodes_.clear();
-        throw std::invalid_argument("node " + std::to_string(node) + " is outside the box");
-      }
       const std::int64_t row = node / shape_.nx;
       row_begin = row * shape_.nx;
       row_end = row_begin + shape_.nx;

@@ -22,7 +22,8 @@ class NodeShares {
   explicit NodeShares(const ranks::Division& division);
 
   /// Divides a list, unless it is the one of before.
-  /// @return whether it is another one @throws std::invalid_argument for a node outside the box
+  /// @return whether it is another one @throws std::invalid_argument for a node outside the box; the list of
+  /// before is kept then
   bool divide(std::span<const std::int64_t> nodes);
 
   /// One share a rank, each in the order of the list.

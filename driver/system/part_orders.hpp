@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "driver/system/halo_by_ranks.hpp"
 #include "fluid/lattice_boltzmann.hpp"
@@ -83,6 +85,14 @@ inline std::unique_ptr<fluid::Fluid> make_part(const ranks::World& world, const 
                                                const fluid::LatticeBoltzmannSettings& settings) {
   return fluid::make_lattice_boltzmann(settings, part_of(division, world.rank()),
                                        std::make_unique<HaloByRanks>(world, division));
+}
+
+/// What a part says of the power on each of its nodes. @param asked Fluid::dissipation or Fluid::wall_power
+inline std::vector<double> power_in(const fluid::Fluid& part,
+                                    void (fluid::Fluid::*asked)(std::span<double>) const) {
+  std::vector<double> power(static_cast<std::size_t>(part.shape().size()));
+  (part.*asked)(power);
+  return power;
 }
 
 /// Before parts are given up together: what is under way between them comes in, so that no message is left.

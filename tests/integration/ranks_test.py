@@ -134,6 +134,16 @@ class Equal(OnRanks):
         self.assert_same("whole", "parts")
 
 
+    def test_checkpoints_by_the_clock_change_nothing(self):
+        """The last two are kept: with next to no time between them, of the last two steps."""
+        self.run_well("run", "case.toml", "--output", "one")
+        self.run_well("run", "case.toml", "--output", "two", "--set", "run.checkpoint_every=1000", "--set", "run.checkpoint_minutes=1e-9", ranks=2)
+        steps = sorted(int(path.name[5:]) for path in (self.folder / "two/checkpoints").glob("step_*"))
+        self.assertEqual(steps, [26, 27])
+        self.assertEqual((self.folder / "one/energy.csv").read_bytes(), (self.folder / "two/energy.csv").read_bytes())
+        self.assertEqual((self.folder / "one/observables.csv").read_bytes(), (self.folder / "two/observables.csv").read_bytes())
+
+
 class Ended(OnRanks):
     def test_bad_input_is_said_once_and_nothing_is_written(self):
         for arguments, word, ranks in (

@@ -17,17 +17,6 @@ TEST(RanksWorld, finds_the_highest_number) {
   EXPECT_EQ(world.highest(-world.rank()), 0);
 }
 
-TEST(RanksWorld, gathers_in_the_order_of_the_ranks) {
-  const auto& world = *all_ranks;
-  const std::string own(static_cast<std::size_t>(world.rank() % 3), static_cast<char>('a' + world.rank()));
-  const auto gathered = world.gather(std::as_bytes(std::span(own)));
-  std::string expected;
-  for (int rank = 0; rank < world.size(); ++rank)
-    expected += std::string(rank % 3, static_cast<char>('a' + rank));
-  if (!world.is_first()) expected.clear();
-  EXPECT_EQ(std::string(reinterpret_cast<const char*>(gathered.data()), gathered.size()), expected);
-}
-
 /// What a rank sends in a direction in a round.
 std::string text(int rank, const Triple& direction, int round) {
   std::string text = std::to_string(rank) + ":" + std::to_string(direction[0]) +

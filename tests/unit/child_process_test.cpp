@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <system_error>
 #include <thread>
 
@@ -115,6 +116,18 @@ TEST(ChildProcess, IsKilledWhenItDoesNotEnd) {
   { ChildProcess process(shell("sleep 30"), 0.2); }
   EXPECT_LT(seconds_since(start), 20);
   EXPECT_THAT(::testing::internal::GetCapturedStderr(), HasSubstr("did not end within 0.2 s"));
+}
+
+// What mpirun tells a rank by is not for a program that the rank starts; all else is.
+TEST(ChildProcess, HasOurEnvironmentWithoutThatOfMpirun) {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "OMPI_MCA_btl"})
+    ::setenv(name, "3", 1);
+  ChildProcess process(
+      shell("read line; echo \"${OMPI_COMM_WORLD_SIZE-none} ${PMIX_RANK-none} ${PMI_RANK-none} "
+            "${OMPI_MCA_btl-none}\""),
+      60);
+  EXPECT_EQ(process.ask("question"), "none none none 3");
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "OMPI_MCA_btl"}) ::unsetenv(name);
 }
 
 TEST(ChildProcess, CannotBeStarted) {

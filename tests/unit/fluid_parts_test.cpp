@@ -64,6 +64,11 @@ struct Parts {
   void restore(const State& state) {
     for (std::size_t k = 0; k < fluids.size(); ++k) fluids[k]->restore(taken(state, nodes[k]));
   }
+  /// All numbers of the states are those of the whole box.
+  void expect(const State& whole, const std::string& when) const {
+    for (std::size_t k = 0; k < fluids.size(); ++k)
+      EXPECT_EQ(difference(fluids[k]->state(), taken(whole, nodes[k])), "") << "part " << k << " " << when;
+  }
 
   GridShape box;
   Cuts cuts;
@@ -131,9 +136,7 @@ void compare_with_whole(const Division& division, const LatticeBoltzmannSettings
   auto of_parts = settings;
   of_parts.threads = 2;
   Parts parts(of_parts, division.cuts);
-  for (std::size_t k = 0; k < parts.fluids.size(); ++k)
-    EXPECT_EQ(difference(parts.fluids[k]->state(), taken(whole->state(), parts.nodes[k])), "")
-        << "at the start";
+  parts.expect(whole->state(), "at the start");
   disturb(*whole);
   parts.restore(whole->state());
   const auto viscosity = random_viscosity(division.box);
@@ -158,13 +161,9 @@ void compare_with_whole(const Division& division, const LatticeBoltzmannSettings
       highest_of_parts = std::max(highest_of_parts, fluid.step());
     }
     EXPECT_EQ(highest_of_parts, highest_speed);
-    for (std::size_t k = 0; k < parts.fluids.size(); ++k) {
-      EXPECT_EQ(difference(parts.fluids[k]->state(), taken(state, parts.nodes[k])), "")
-          << "part " << k << " after step " << step;
-      if (asks) {
-        EXPECT_TRUE(said(*parts.fluids[k]) == taken(expected, parts.nodes[k])) << "part " << k;
-      }
-    }
+    parts.expect(state, "after step " + std::to_string(step));
+    for (std::size_t k = 0; asks && k < parts.fluids.size(); ++k)
+      EXPECT_TRUE(said(*parts.fluids[k]) == taken(expected, parts.nodes[k])) << "part " << k;
   }
 }
 
@@ -185,9 +184,7 @@ void go_on_from_whole(const Division& division, const LatticeBoltzmannSettings& 
       whole->step();
       for (auto& fluid : parts.fluids) fluid->step();
     }
-    for (std::size_t k = 0; k < parts.fluids.size(); ++k)
-      EXPECT_EQ(difference(parts.fluids[k]->state(), taken(whole->state(), parts.nodes[k])), "")
-          << "part " << k;
+    parts.expect(whole->state(), "three steps later");
   }
 }
 
@@ -219,9 +216,7 @@ void break_one_down(const Division& division, const LatticeBoltzmannSettings& se
       whole->step();
       for (auto& fluid : parts.fluids) fluid->step();
     }
-    for (std::size_t k = 0; k < parts.fluids.size(); ++k)
-      EXPECT_EQ(difference(parts.fluids[k]->state(), taken(whole->state(), parts.nodes[k])), "")
-          << "part " << k;
+    parts.expect(whole->state(), "three steps later");
   }
 }
 

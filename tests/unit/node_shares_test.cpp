@@ -53,11 +53,12 @@ TEST(NodeShares, say_whether_a_list_is_another) {
   EXPECT_TRUE(shares.divide(Nodes{}));
 }
 
-TEST(NodeShares, refuse_a_node_outside) {
+TEST(NodeShares, refuse_a_node_outside_and_keep_the_list_of_before) {
   NodeShares shares(divisions[2]);
-  EXPECT_THROW(shares.divide(Nodes{1, 180}), std::invalid_argument);
-  EXPECT_THROW(shares.divide(Nodes{-1}), std::invalid_argument);
   EXPECT_TRUE(shares.divide(Nodes{1}));
+  EXPECT_THROW(shares.divide(Nodes{2, 180}), std::invalid_argument);
+  EXPECT_THROW(shares.divide(Nodes{-1}), std::invalid_argument);
+  EXPECT_FALSE(shares.divide(Nodes{1}));
   EXPECT_EQ(shares.shares()[0].nodes, Nodes{1});
 }
 
