@@ -21,7 +21,13 @@ class ViscousLaw;
 /// An element collapsed or turned inside out, or a position is not finite. The message names the element.
 class InvertedElement : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  /// @param membrane of several, the number of the one that it is of
+  explicit InvertedElement(const std::string& message, std::size_t membrane = 0)
+      : std::runtime_error(message), membrane_(membrane) {}
+  std::size_t membrane() const { return membrane_; }
+
+ private:
+  std::size_t membrane_;
 };
 
 /// Results a person looks at, one column (or entry) an element.

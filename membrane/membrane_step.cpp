@@ -136,7 +136,11 @@ void advance(std::span<const MembraneStep> steps) {
   const auto bad = std::ranges::find(is_bad, 1) - is_bad.begin();
   if (bad != std::ssize(is_bad)) {
     const std::size_t k = blocks.membrane_of(bad);
-    membranes[k]->report_block(bad - blocks.before(k));
+    try {
+      membranes[k]->report_block(bad - blocks.before(k));
+    } catch (const InvertedElement& error) {
+      throw InvertedElement(error.what(), k);
+    }
   }
   for (std::size_t k = 0; k < steps.size(); ++k) {
     membranes[k]->check.accept();

@@ -19,8 +19,8 @@ struct MembraneStep {
 /// For each membrane set_positions(), then add_forces() on forces that are zero. All threads (as many as the
 /// first membrane was made with) share the elements of all membranes. The forces are those of one membrane
 /// after the other, to the last bit.
-/// @throws InvertedElement as add_forces(), for the first bad element of the first membrane that has one;
-/// forces may then be overwritten, the histories of all membranes are untouched
+/// @throws InvertedElement as add_forces(), for the first bad element of the first membrane that has one,
+/// with its number in `steps`; forces may then be overwritten, the histories of all membranes are untouched
 /// @throws std::invalid_argument if an array has another number of columns than its membrane nodes
 void advance(std::span<const MembraneStep> steps);
 

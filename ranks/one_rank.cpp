@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "ranks/neighbour_messages.hpp"
 #include "ranks/world.hpp"
@@ -42,6 +43,22 @@ void World::send(int, std::span<const std::byte>) const {
 
 std::vector<std::byte> World::receive(int) const {
   throw std::logic_error("this program was built without MPI (TANKTREAD_MPI): there is no other rank");
+}
+
+std::vector<Message> World::exchange(std::vector<Message> outgoing) const {
+  for (const auto& message : outgoing) {
+    if (message.rank != rank_)
+      throw std::logic_error("this program was built without MPI (TANKTREAD_MPI): there is no other rank");
+  }
+  return outgoing;
+}
+
+std::vector<Message> World::exchange(std::vector<Message> outgoing, std::span<const int>) const {
+  return exchange(std::move(outgoing));
+}
+
+std::vector<double> World::all_numbers(std::span<const double> numbers) const {
+  return {numbers.begin(), numbers.end()};
 }
 
 NeighbourMessages::NeighbourMessages(const World&, const Division&,

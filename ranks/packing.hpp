@@ -41,6 +41,8 @@ class Packing {
   }
 
   std::span<const std::byte> bytes() const { return bytes_; }
+  /// The message, which is then empty.
+  std::vector<std::byte> take_bytes() { return std::exchange(bytes_, {}); }
 
  private:
   void append(const void* from, std::size_t size) {

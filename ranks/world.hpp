@@ -8,6 +8,12 @@
 
 namespace tanktread::ranks {
 
+/// Bytes that go to a rank, or have come from it.
+struct Message {
+  int rank = 0;
+  std::vector<std::byte> bytes;
+};
+
 /// Built with TANKTREAD_MPI, the processes that mpirun has started; else, and without mpirun, this one alone.
 /// One a program, made before all else in main(). Its functions are for the thread that made it; all ranks
 /// call those that say "together", in the same order.
@@ -44,6 +50,17 @@ class World {
 
   /// Waits for the next message of another rank.
   std::vector<std::byte> receive(int rank) const;
+
+  /// Sends some ranks, itself perhaps among them, a message each, of which they need not know. Together.
+  /// @return what has come to this rank, ascending by rank
+  std::vector<Message> exchange(std::vector<Message> outgoing) const;
+
+  /// The same where it is known who sends: one message comes from each of `senders`, which ascend. Of those
+  /// concerned; others need not call it.
+  std::vector<Message> exchange(std::vector<Message> outgoing, std::span<const int> senders) const;
+
+  /// The numbers of all ranks, one rank's after the other's. Together.
+  std::vector<double> all_numbers(std::span<const double> numbers) const;
 
  private:
   friend class NeighbourMessages;

@@ -29,6 +29,9 @@ tanktread_rank_test(ranks_messages RANKS 1 2 3 4 6 8 SOURCES ranks/messages_test
 if(TARGET tanktread_fluid)
   tanktread_rank_test(ranks_fluid RANKS 1 2 3 4 6 8 SOURCES ranks/fluid_test.cpp LIBRARIES tanktread::fluid)
 endif()
+if(TARGET tanktread_driver AND NOT TANKTREAD_MISSING_COMPONENTS)
+  tanktread_rank_test(ranks_capsules RANKS 1 2 4 6 SOURCES ranks/capsules_test.cpp LIBRARIES tanktread_driver)
+endif()
 if(TANKTREAD_MPI AND TARGET tanktread AND NOT TANKTREAD_MISSING_COMPONENTS)
   add_test(NAME python.ranks COMMAND ${TANKTREAD_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/integration/ranks_test.py
     $<TARGET_FILE:tanktread> ${MPIEXEC_EXECUTABLE})

@@ -28,7 +28,7 @@ double memory_speed(const System& system, const Case& the_case) {
 }  // namespace
 
 std::string time_table(const StepSeconds& steps, double files, double whole) {
-  constexpr std::string_view implicit = "implicit forces", inside = "inside";
+  constexpr std::string_view implicit = "implicit forces", inside = "inside", messages = "other ranks";
   std::pair<std::string_view, double> rows[] = {{"fluid", steps.fluid},
                                                 {"forced nodes", steps.forced_nodes},
                                                 {"stencils", steps.stencils},
@@ -38,6 +38,7 @@ std::string time_table(const StepSeconds& steps, double files, double whole) {
                                                 {"membranes", steps.membranes},
                                                 {inside, steps.inside},
                                                 {implicit, steps.implicit},
+                                                {messages, steps.messages},
                                                 {"files", files},
                                                 {"else", whole}};
   auto& rest = std::end(rows)[-1].second;
@@ -46,7 +47,8 @@ std::string time_table(const StepSeconds& steps, double files, double whole) {
   }
   std::string text = fmt::format("{:<16}{:>12}{:>9}\n", "time of", "seconds", "%");
   for (const auto& [name, seconds] : rows) {
-    if (seconds == 0 && (name == implicit || name == inside)) continue;  // few runs have them
+    if (seconds == 0 && (name == implicit || name == inside || name == messages))
+      continue;  // few runs have them
     text += fmt::format("  {:<15}{:>11.3f}{:>9.1f}\n", name, seconds, 100 * seconds / whole);
   }
   return text;

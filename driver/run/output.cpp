@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "driver/packets/fluid_files.hpp"
 #include "driver/observe/energy.hpp"
 #include "driver/observe/measures.hpp"
+#include "driver/packets/fluid_files.hpp"
 #include "driver/system/membrane_files.hpp"
 #include "driver/units/laws.hpp"
 #include "exchange/vtk_files.hpp"
@@ -101,6 +101,11 @@ void Output::resume(const ResumePoint& point) {
   energy_.resume(energy_point(point));
   membrane_.cut(membrane, times, shear_rate_);
   fluid_.cut(fluid, times, shear_rate_);
+}
+
+bool Output::due(std::int64_t step, bool last) const {
+  return observables_.due(step, last) || measures_.due(step, last) || energy_.due(step, last) ||
+         membrane_.due(step, last) || fluid_.due(step, last);
 }
 
 std::vector<Observation> Output::write(const System& system, bool last) {

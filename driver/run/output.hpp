@@ -50,6 +50,9 @@ class Output {
   /// The rows of the tables that were due so far.
   RowCounts row_counts() const { return {observables_.n_rows(), measures_.n_rows(), energy_.n_rows()}; }
 
+  /// Whether anything is due at this step. @param last of the run
+  bool due(std::int64_t step, bool last) const;
+
   /// Writes all that is due at this step; with `last`, the state at the end of the run too.
   /// @return the observations if they were due, else none
   std::vector<Observation> write(const System& system, bool last);

@@ -16,6 +16,7 @@
 #include "driver/stages/file_passage.hpp"
 #include "driver/system/run_ranks.hpp"
 #include "driver/system/step.hpp"
+#include "driver/system/system_on_ranks.hpp"
 #include "driver/units/laws.hpp"
 #include "driver/units/parameters_file.hpp"
 #include "exchange/shell_text.hpp"
@@ -91,6 +92,11 @@ void make_record_directory(const PacketOptions& packets) {
   }
 }
 
+/// Packets that are written pass through the first rank.
+bool looks_between_phases(const PacketOptions& packets) {
+  return packets.through_files || !packets.record.empty();
+}
+
 std::unique_ptr<Passage> make_passage(const PacketOptions& packets, const Plan& plan, std::int64_t first_step,
                                       const std::filesystem::path& directory) {
   if (packets.through_files) return std::make_unique<FilePassage>(directory / "packets");
@@ -107,10 +113,13 @@ double advance_and_write(System& system, Passage& passage, const Plan& plan, Out
                          const std::filesystem::path& directory) {
   advance(system, passage);
   const double before = progress.seconds();
-  progress.observe(output.write(system, system.step == last_step));
-  if (checkpoints.due(system.step, before)) {
+  const bool last = system.step == last_step, has_checkpoint = checkpoints.due(system.step, before);
+  if (has_checkpoint || output.due(system.step, last)) collect(system);
+  progress.observe(output.write(system, last));
+  if (has_checkpoint) {
     write_checkpoint(system, plan.the_case, output.row_counts(), directory);
     checkpoints.wrote(progress.seconds());
+    if (system.on_ranks) system.on_ranks->share_out(system);  // who has moved may have another owner
   }
   const double files = progress.seconds() - before;
   progress.update(system.step);
@@ -132,6 +141,7 @@ int run_on(System& system, Passage& passage, const Plan& plan, Output& output,
     }
     if (system.step > first_step && system.step < last_step) {
       const double before = progress.seconds();
+      collect(system);
       write_checkpoint(system, plan.the_case, output.row_counts(), directory);
       passage.stopped(system);
       files += progress.seconds() - before;
@@ -233,6 +243,7 @@ int run_new(const Plan& plan, const RunOptions& options) {
   output.write(system, false);
   write_checkpoint(system, plan.the_case, output.row_counts(), options.output);
   const auto passage = make_passage(options.packets, plan, 0, options.output);
+  if (!looks_between_phases(options.packets)) share_out(system, plan.the_case, plan.parameters);
   return run_on(system, *passage, plan, output, options.output);
 }
 
@@ -268,6 +279,7 @@ int run_resumed(const ResumeOptions& options) {
   start.state.fluid = {};  // as large as the lattice itself
   begin_again(options, plan, start, output);
   const auto passage = make_passage(options.packets, plan, start.point.step, directory);
+  if (!looks_between_phases(options.packets)) share_out(system, the_case, plan.parameters);
   return run_on(system, *passage, plan, output, directory);
 }
 

@@ -14,12 +14,6 @@ namespace {
 using ranks::Packing;
 using ranks::Unpacking;
 
-Packing order(Order which) {
-  Packing packing;
-  packing.put(which);
-  return packing;
-}
-
 void check_size(const char* what, std::size_t size, std::size_t needed) {
   if (size == needed) return;
   throw std::invalid_argument(std::string("fluid on ranks: ") + what + " has room for " +

@@ -25,6 +25,11 @@ class FluidOnRanks final : public fluid::Fluid {
   /// The others let go of their parts.
   ~FluidOnRanks() override;
 
+  /// The first rank's part.
+  fluid::Fluid& own_part() { return *own_; }
+  const ranks::World& world() const { return world_; }
+  const ranks::Division& division() const { return division_; }
+
   fluid::GridShape shape() const override { return shape_; }
   void velocity(std::span<const std::int64_t> nodes, std::span<double> velocity) const override;
   void free_velocity(std::span<const std::int64_t> nodes, std::span<double> velocity,

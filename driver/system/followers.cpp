@@ -2,10 +2,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
+#include "driver/system/capsule_orders.hpp"
 #include "driver/system/part_orders.hpp"
+#include "driver/system/system_part.hpp"
+#include "driver/units/units.hpp"
 
 namespace tanktread::driver {
 namespace {
@@ -25,8 +29,8 @@ class Follower {
     switch (order) {
       case Order::make_part: {
         const auto box = message.take<ranks::Box>();
-        const ranks::Division division(box, message.take<ranks::Triple>());
-        part_ = make_part(world_, division, message.take<fluid::LatticeBoltzmannSettings>());
+        division_.emplace(box, message.take<ranks::Triple>());
+        part_ = make_part(world_, *division_, message.take<fluid::LatticeBoltzmannSettings>());
         return true;
       }
       case Order::give_up_part:
@@ -36,12 +40,45 @@ class Follower {
         return true;
       case Order::end:
         return false;
+      case Order::make_system:
+      case Order::give_up_system:
+      case Order::take_capsules:
+      case Order::advance:
+      case Order::collect:
+        of_system(order, message);
+        return true;
       default:
         return of_part(order, message);
     }
   }
 
  private:
+  void of_system(Order order, Unpacking& message) {
+    switch (order) {
+      case Order::make_system: {
+        const auto the_case = take_case(message);
+        system_.emplace(world_, *division_, *part_, the_case, parameters(the_case));
+        return;
+      }
+      case Order::give_up_system:
+        return system_.reset();
+      case Order::take_capsules: {
+        const auto capsules = take_capsules(message);
+        return system_->take(capsules.step, capsules.states, capsules.shapes);
+      }
+      case Order::advance: {
+        const auto step = system_->advance();
+        if (!step.all_well) answer(packed(step.error));
+        return;
+      }
+      default: {
+        Packing packing;
+        pack(packing, system_->states());
+        return answer(packing);
+      }
+    }
+  }
+
   bool of_part(Order order, Unpacking& message) {
     const auto n = static_cast<std::size_t>(part_->shape().size());
     switch (order) {
@@ -118,7 +155,9 @@ class Follower {
   void answer(const Packing& packing) const { world_.send(0, packing.bytes()); }
 
   const ranks::World& world_;
+  std::optional<ranks::Division> division_;
   std::unique_ptr<fluid::Fluid> part_;
+  std::optional<SystemPart> system_;
   Nodes nodes_;  ///< that velocities and forces are of
 };
 

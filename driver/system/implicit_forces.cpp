@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 #include <omp.h>
 
-#include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "driver/system/node_ranges.hpp"
@@ -15,30 +14,17 @@
 namespace tanktread::driver {
 namespace {
 
-class Equations;
-
-}  // namespace
-}  // namespace tanktread::driver
-
-// What Eigen asks of a matrix that is known by its products only.
-template <>
-struct Eigen::internal::traits<tanktread::driver::Equations>
-    : Eigen::internal::traits<Eigen::SparseMatrix<double>> {};
-
-namespace tanktread::driver {
-namespace {
-
-/// M: what nodal forces add to the velocity of the nodes at their own time.
-class NodeMobility {
+/// That of a process that has all of the grid nodes.
+class WholeMobility final : public NodeMobility {
  public:
-  /// All is borrowed. @param of_grid_nodes that of each grid node that the stencils touch
-  NodeMobility(const std::vector<CapsuleMembrane>& membranes, const coupler::Coupler& coupler,
-               const NodeCorrections& corrections, const std::vector<double>& of_grid_nodes, int threads)
+  /// All is borrowed. @param free velocity and mobility of each grid node that the stencils touch
+  WholeMobility(const std::vector<CapsuleMembrane>& membranes, const coupler::Coupler& coupler,
+                const NodeCorrections& corrections, const GridVectors& free, int threads)
       : coupler_(coupler),
         corrections_(corrections),
-        of_grid_nodes_(of_grid_nodes),
+        free_(free),
         n_threads_(threads),
-        on_grid_(3 * of_grid_nodes.size()) {
+        on_grid_(free.values.size()) {
     if (!corrections.along_membrane) return;
     std::vector<std::span<const double>> positions;
     std::vector<std::span<const int>> triangles;
@@ -49,24 +35,25 @@ class NodeMobility {
     normals_ = corrections.normals->find(positions, triangles);
   }
 
-  /// @param free velocity that the grid nodes have without forces, 3 a node; empty: none
-  /// @param velocity overwritten
-  void velocity_of(const NodeVectors& force, std::span<const double> free, NodeVectors& velocity) {
+  void velocity_of(const NodeVectors& force, bool with_free, NodeVectors& velocity) override {
     const auto forces = views(force);
     const auto targets = targets_of(velocity);
     coupler_.spread(forces, on_grid_);
-    const auto n_numbers = static_cast<std::ptrdiff_t>(on_grid_.size());
-#pragma omp parallel for num_threads(n_threads_) schedule(static)
-    for (std::ptrdiff_t k = 0; k < n_numbers; ++k)
-      on_grid_[k] = (free.empty() ? 0 : free[k]) + of_grid_nodes_[k / 3] * on_grid_[k];
+    move_freely(free_, with_free, n_threads_, on_grid_);
     coupler_.interpolate(on_grid_, targets);
     if (corrections_.along_membrane) corrections_.along_membrane->add(coupler_, normals_, forces, targets);
+  }
+
+  double sum(std::span<const double> of_membranes) const override {
+    double sum = 0;
+    for (const double number : of_membranes) sum += number;
+    return sum;
   }
 
  private:
   const coupler::Coupler& coupler_;
   const NodeCorrections& corrections_;
-  const std::vector<double>& of_grid_nodes_;
+  const GridVectors& free_;
   int n_threads_;
   std::span<const std::span<const double>> normals_;
   std::vector<double> on_grid_;
@@ -74,31 +61,31 @@ class NodeMobility {
 
 /// The numbers of the stresses of all membranes, one membrane after the other, and the matrix of their
 /// equations.
-class Equations : public Eigen::EigenBase<Equations> {
+class Equations {
  public:
-  // The words of Eigen for a matrix.
-  using Scalar = double;
-  using RealScalar = double;
-  using StorageIndex = int;
-  enum { ColsAtCompileTime = Eigen::Dynamic, MaxColsAtCompileTime = Eigen::Dynamic, IsRowMajor = false };
-  Eigen::Index rows() const { return n_numbers_; }
-  Eigen::Index cols() const { return n_numbers_; }
-  template <class Vector>
-  Eigen::Product<Equations, Vector, Eigen::AliasFreeProduct> operator*(
-      const Eigen::MatrixBase<Vector>& vector) const {
-    return {*this, vector.derived()};
-  }
-
-  Equations(std::vector<CapsuleMembrane>& membranes, NodeMobility mobility)
-      : membranes_(membranes), mobility_(std::move(mobility)) {
+  /// Both are borrowed.
+  Equations(std::vector<CapsuleMembrane>& membranes, NodeMobility& mobility)
+      : membranes_(membranes), mobility_(mobility) {
     for (const auto& membrane : membranes) {
       const auto* viscosity = membrane.implicit_viscosity();
       first_.push_back(n_numbers_);
       if (viscosity != nullptr) n_numbers_ += 3 * viscosity->rates().n_rates();
       force_.emplace_back(Eigen::Matrix3Xd::Zero(3, membrane.n_nodes()));
     }
+    first_.push_back(n_numbers_);
     velocity_ = zero_like(force_);
   }
+
+  /// The scalar product, a sum of membranes: each adds its own first, so that it does not matter who has it.
+  double dot(const Eigen::VectorXd& left, const Eigen::VectorXd& right) const {
+    std::vector<double> of_membranes;
+    for (std::size_t k = 0; k < membranes_.size(); ++k) {
+      const auto n = first_[k + 1] - first_[k];
+      of_membranes.push_back(left.segment(first_[k], n).dot(right.segment(first_[k], n)));
+    }
+    return mobility_.sum(of_membranes);
+  }
+  double norm(const Eigen::VectorXd& numbers) const { return std::sqrt(dot(numbers, numbers)); }
 
   /// 2 s(t) - s(t-1).
   Eigen::VectorXd guess() const {
@@ -117,11 +104,10 @@ class Equations : public Eigen::EigenBase<Equations> {
 
   /// B u, u that which the fluid will have if the nodal forces are F0 - B^T s.
   /// @param force F0
-  Eigen::VectorXd rates_under(const Eigen::VectorXd& stress, const NodeVectors& force,
-                              std::span<const double> free) const {
+  Eigen::VectorXd rates_under(const Eigen::VectorXd& stress, const NodeVectors& force) const {
     forces_of(stress);
     for (std::size_t k = 0; k < force.size(); ++k) force_[k] = force[k] - force_[k];
-    mobility_.velocity_of(force_, free, velocity_);
+    mobility_.velocity_of(force_, true, velocity_);
     Eigen::VectorXd numbers(n_numbers_);
     for_each([&](std::size_t k, const auto& viscosity) {
       viscosity.rates().multiply(velocity_[k], part(numbers, k, viscosity));
@@ -138,17 +124,16 @@ class Equations : public Eigen::EigenBase<Equations> {
     return numbers;
   }
 
-  /// Adds (1 + theta + B M B^T) s times a factor.
-  void add_product(Eigen::VectorXd& numbers, const Eigen::VectorXd& stress, double factor) const {
-    if (stress.isZero(0)) return;  // Eigen asks for this one too
-    mobility_.velocity_of(forces_of(stress), {}, velocity_);
-    Eigen::VectorXd product(n_numbers_);
+  /// (1 + theta + B M B^T) s.
+  Eigen::VectorXd product(const Eigen::VectorXd& stress) const {
+    mobility_.velocity_of(forces_of(stress), false, velocity_);
+    Eigen::VectorXd numbers(n_numbers_);
     for_each([&](std::size_t k, const auto& viscosity) {
-      auto of_membrane = part(product, k, viscosity);
+      auto of_membrane = part(numbers, k, viscosity);
       viscosity.rates().multiply(velocity_[k], of_membrane);
       viscosity.add_diagonal(part(stress, k, viscosity), of_membrane);
     });
-    numbers += factor * product;
+    return numbers;
   }
 
   /// B^T s of every membrane, zero for those without an implicit viscosity. Valid until the next call of any.
@@ -190,37 +175,41 @@ class Equations : public Eigen::EigenBase<Equations> {
   }
 
   std::vector<CapsuleMembrane>& membranes_;
-  std::vector<Eigen::Index> first_;  ///< number of each membrane
+  NodeMobility& mobility_;
+  std::vector<Eigen::Index> first_;  ///< number of each membrane; at the end, of all
   Eigen::Index n_numbers_ = 0;
-  // Scratch; a matrix is const to Eigen.
-  mutable NodeMobility mobility_;
-  mutable NodeVectors force_, velocity_;
+  mutable NodeVectors force_, velocity_;  // scratch
 };
 
-}  // namespace
-}  // namespace tanktread::driver
+/// What conjugate gradients have found.
+struct Solution {
+  Eigen::VectorXd numbers;
+  int iterations = 0;  ///< before the last one
+  double error = 0;    ///< of the right side, over its norm
+};
 
-template <typename Vector>
-struct Eigen::internal::generic_product_impl<tanktread::driver::Equations, Vector, Eigen::SparseShape,
-                                             Eigen::DenseShape, Eigen::GemvProduct>
-    : Eigen::internal::generic_product_impl_base<
-          tanktread::driver::Equations, Vector,
-          Eigen::internal::generic_product_impl<tanktread::driver::Equations, Vector>> {
-  using Scalar = double;
-
-  template <typename Result>
-  static void scaleAndAddTo(Result& result, const tanktread::driver::Equations& matrix, const Vector& vector,
-                            const Scalar& factor) {
-    matrix.add_product(result, vector, factor);
+/// Conjugate gradients from zero, until the error is at most `tolerance`. Those of Eigen would do, if their
+/// sums could be made by several ranks, in one order.
+Solution conjugate_gradients(const Equations& equations, const Eigen::VectorXd& right_side, double tolerance,
+                             int most_iterations) {
+  Solution found{Eigen::VectorXd::Zero(right_side.size())};
+  Eigen::VectorXd residual = right_side, direction = right_side;
+  const double right_square = equations.dot(right_side, right_side);
+  const double enough = std::max(tolerance * tolerance * right_square, std::numeric_limits<double>::min());
+  double square = right_square;
+  for (; square >= enough && found.iterations < most_iterations; ++found.iterations) {
+    const Eigen::VectorXd product = equations.product(direction);
+    const double step = square / equations.dot(direction, product);
+    found.numbers += step * direction;
+    residual -= step * product;
+    const double before = square;
+    square = equations.dot(residual, residual);
+    if (square < enough) break;
+    direction = residual + (square / before) * direction;
   }
-};
-
-namespace tanktread::driver {
-namespace {
-
-/// Its sums are made one after the other, so that the same bits follow whatever the threads.
-using Solver =
-    Eigen::ConjugateGradient<Equations, Eigen::Lower | Eigen::Upper, Eigen::IdentityPreconditioner>;
+  if (right_square > 0) found.error = std::sqrt(square / right_square);
+  return found;
+}
 
 [[noreturn]] void refuse(int iterations, double error, const ImplicitSettings& settings) {
   if (!std::isfinite(error))
@@ -238,24 +227,22 @@ using Solver =
 /// from the guess. How large the rates are is known from their solution only, so that it may take more than
 /// one go.
 /// @return iterations
-int solve(const Equations& equations, const NodeVectors& force, std::span<const double> free,
-          const ImplicitSettings& settings, Eigen::VectorXd& stress) {
+int solve(const Equations& equations, const NodeVectors& force, const ImplicitSettings& settings,
+          Eigen::VectorXd& stress) {
   const Eigen::VectorXd memory = equations.memory();
   for (int iterations = 0;;) {
-    const Eigen::VectorXd rates = equations.rates_under(stress, force, free);
+    const Eigen::VectorXd rates = equations.rates_under(stress, force);
     const Eigen::VectorXd missing = rates + memory - equations.diagonal(stress);
-    const double error = missing.norm(), scale = rates.norm();
+    const double error = equations.norm(missing), scale = equations.norm(rates);
     if (error <= settings.tolerance * scale) return iterations;
     if (!std::isfinite(error) || iterations >= settings.most_iterations)
       refuse(iterations, error / scale, settings);
-    Solver solver(equations);
-    solver.setTolerance(0.5 * settings.tolerance * scale / error);
-    solver.setMaxIterations(settings.most_iterations - iterations);
-    const Eigen::VectorXd change = solver.solve(missing);
-    stress += change;
-    iterations += std::max<int>(1, static_cast<int>(solver.iterations()));
-    const double left = solver.error() * error;
-    if (left <= settings.tolerance * (equations.diagonal(stress) - memory).norm()) return iterations;
+    const auto change = conjugate_gradients(equations, missing, 0.5 * settings.tolerance * scale / error,
+                                            settings.most_iterations - iterations);
+    stress += change.numbers;
+    iterations += std::max(1, change.iterations);
+    const double left = change.error * error;
+    if (left <= settings.tolerance * equations.norm(equations.diagonal(stress) - memory)) return iterations;
   }
 }
 
@@ -273,13 +260,26 @@ int add_implicit_forces(std::vector<CapsuleMembrane>& membranes, const coupler::
   const bool fits = are_on(free, nodes);
   const GridVectors picked = fits ? GridVectors() : on_nodes(free, nodes, "free velocity");
   const GridVectors& touched = fits ? free : picked;
-  Equations equations(membranes, {membranes, coupler, corrections, touched.mobility, settings.threads});
+  WholeMobility mobility(membranes, coupler, corrections, touched, settings.threads);
+  return add_implicit_forces(membranes, mobility, settings, force);
+}
+
+int add_implicit_forces(std::vector<CapsuleMembrane>& membranes, NodeMobility& mobility,
+                        const ImplicitSettings& settings, NodeVectors& force) {
+  Equations equations(membranes, mobility);
   Eigen::VectorXd stress = equations.guess();
-  const int iterations = solve(equations, force, touched.values, settings, stress);
+  const int iterations = solve(equations, force, settings, stress);
   const auto& viscous = equations.forces_of(stress);
   for (std::size_t k = 0; k < force.size(); ++k) force[k] -= viscous[k];
   equations.accept(stress);
   return iterations;
+}
+
+void move_freely(const GridVectors& free, bool with_free, int threads, std::span<double> on_grid) {
+  const auto n_numbers = static_cast<std::ptrdiff_t>(on_grid.size());
+#pragma omp parallel for num_threads(threads) schedule(static)
+  for (std::ptrdiff_t k = 0; k < n_numbers; ++k)
+    on_grid[k] = (with_free ? free.values[k] : 0) + free.mobility[k / 3] * on_grid[k];
 }
 
 }  // namespace tanktread::driver

@@ -2,6 +2,7 @@
 // together.
 #pragma once
 
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -22,6 +23,23 @@ struct ImplicitSettings {
   int threads = 1;
 };
 ImplicitSettings implicit_settings(const Case& the_case);
+
+/// What the equations ask of coupler and fluid, whoever has them: all of them one process, or each rank a
+/// part.
+class NodeMobility {
+ public:
+  virtual ~NodeMobility() = default;
+  NodeMobility() = default;
+  NodeMobility(const NodeMobility&) = delete;
+  NodeMobility& operator=(const NodeMobility&) = delete;
+
+  /// u = M F, or v + M F with the free velocity v of the fluid, on the nodes of the membranes.
+  /// @param velocity of the sizes of `force`, overwritten
+  virtual void velocity_of(const NodeVectors& force, bool with_free, NodeVectors& velocity) = 0;
+
+  /// The sum of a number of each membrane over all membranes of the case, in their order.
+  virtual double sum(std::span<const double> of_membranes) const = 0;
+};
 
 /// The equations were not solved. The message says how far they were.
 class NotConverged : public std::runtime_error {
@@ -51,6 +69,14 @@ class NotConverged : public std::runtime_error {
 /// node that a stencil touches is missing
 int add_implicit_forces(std::vector<CapsuleMembrane>& membranes, const coupler::Coupler& coupler,
                         const NodeCorrections& corrections, const GridVectors& free,
+                        const ImplicitSettings& settings, NodeVectors& force);
+
+/// What forces on grid nodes do to these: the velocity m F, or v + m F.
+/// @param free v and m @param on_grid F in, velocity out, 3 numbers a node of `free`
+void move_freely(const GridVectors& free, bool with_free, int threads, std::span<double> on_grid);
+
+/// The same as add_implicit_forces() above with a mobility of any kind. @throws NotConverged
+int add_implicit_forces(std::vector<CapsuleMembrane>& membranes, NodeMobility& mobility,
                         const ImplicitSettings& settings, NodeVectors& force);
 
 }  // namespace tanktread::driver

@@ -31,8 +31,20 @@ enum class Order {
   step,              ///< ; StepAnswer
   state,             ///< ; state
   restore,           ///< state
+  make_system,       ///< the case; after make_part
+  give_up_system,    ///<
+  take_capsules,     ///< step, capsules with their shapes
+  advance,           ///< ; a message with the error, if not all is well
+  collect,           ///< ; capsules
   end,               ///<
 };
+
+/// The beginning of a message.
+inline ranks::Packing order(Order which) {
+  ranks::Packing packing;
+  packing.put(which);
+  return packing;
+}
 
 /// How a step of a part ended.
 struct StepAnswer {

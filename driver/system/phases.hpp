@@ -23,8 +23,13 @@ inline constexpr double longest_move = 0.5;
 /// A node would move too far. The message says which capsule, node, place and how far.
 class LongMove : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  LongMove(const std::string& message, std::uint64_t of_precedence)
+      : std::runtime_error(message), precedence(of_precedence) {}
+  std::uint64_t precedence;  ///< of several, the one with the lowest is of the first capsule and node
 };
+
+/// The numbers of capsules in the case, where only some of them are given; none: all are, in their order.
+using CapsuleNumbers = std::span<const std::size_t>;
 
 /// 1. fluid: the velocity u(t) on the nodes listed (Eq. 2.46).
 GridVectors grid_velocity(const fluid::Fluid& fluid, NodeList nodes, GridVectors memory = {});
@@ -59,16 +64,18 @@ void correct_velocity(const coupler::Coupler& coupler, const NodeCorrections& co
 
 /// 3. membrane: positions x(t+1) = x(t) + u_m(t) (Eq. 2.19). @throws LongMove, also for not a number
 NodeVectors move_nodes(const NodeVectors& positions, const NodeVectors& velocity, int threads = 1,
-                       NodeVectors memory = {});
+                       NodeVectors memory = {}, CapsuleNumbers numbers = {});
 
 /// 4. membrane: takes the positions x(t+1); strain, stress with its history, total nodal forces F_m(t+1),
 /// those of a load included, but for implicit viscous forces. Implicit viscosities stand at x(t+1) then,
 /// their stresses are still those of t.
 /// @param velocity u_m(t), which moved the nodes there
 /// @param step of the positions, t+1
-/// @throws membrane::InvertedElement; RunError if a program in the place of a membrane gives no forces
+/// @throws membrane::InvertedElement that names the capsule; RunError if a program in the place of a membrane
+/// gives no forces
 NodeVectors nodal_forces(std::vector<CapsuleMembrane>& membranes, const NodeVectors& positions,
-                         const NodeVectors& velocity, std::int64_t step, NodeVectors memory = {});
+                         const NodeVectors& velocity, std::int64_t step, NodeVectors memory = {},
+                         CapsuleNumbers numbers = {});
 
 /// The implicit viscous forces of a motion that is given, added: s(t+1) = (B u + theta s(t))/(1 + theta)
 /// (ImplicitViscosity) with the velocity u of the nodes at x(t+1). @throws membrane::InvertedElement

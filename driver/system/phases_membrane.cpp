@@ -18,27 +18,48 @@ bool moves_too_far(const Eigen::Vector3d& velocity) {
 
 [[noreturn]] void refuse_move(std::size_t capsule, Eigen::Index node, const Eigen::Vector3d& at,
                               const Eigen::Vector3d& velocity) {
-  throw LongMove(fmt::format(
-      "node {} of capsule {} at ({:.6g}, {:.6g}, {:.6g}) would move by {:.6g} grid steps; at most {} are "
-      "allowed",
-      node, capsule, at[0], at[1], at[2], velocity.norm(), longest_move));
+  throw LongMove(
+      fmt::format(
+          "node {} of capsule {} at ({:.6g}, {:.6g}, {:.6g}) would move by {:.6g} grid steps; at most {} are "
+          "allowed",
+          node, capsule, at[0], at[1], at[2], velocity.norm(), longest_move),
+      (std::uint64_t{capsule} << 32) + static_cast<std::uint64_t>(node));
 }
 
-/// An implicit viscosity follows its membrane. @throws InvertedElement that names the capsule
-void move_implicit(CapsuleMembrane& membrane, std::size_t number) {
+std::size_t number_of(std::size_t k, CapsuleNumbers numbers) {
+  return numbers.empty() ? k : numbers[k];
+}
+
+/// @param k of the capsules given
+[[noreturn]] void refuse_element(const membrane::InvertedElement& error, std::size_t k,
+                                 CapsuleNumbers numbers) {
+  const auto capsule = number_of(k, numbers);
+  throw membrane::InvertedElement(fmt::format("capsule {}: {}", capsule, error.what()), capsule);
+}
+
+void advance_all(const std::vector<membrane::MembraneStep>& steps, CapsuleNumbers numbers) {
+  try {
+    membrane::advance(steps);
+  } catch (const membrane::InvertedElement& error) {
+    refuse_element(error, error.membrane(), numbers);
+  }
+}
+
+/// An implicit viscosity follows its membrane.
+void move_implicit(CapsuleMembrane& membrane, std::size_t k, CapsuleNumbers numbers) {
   auto* viscosity = membrane.implicit_viscosity();
   if (viscosity == nullptr) return;
   try {
     viscosity->set_positions(membrane.positions());
   } catch (const membrane::InvertedElement& error) {
-    throw membrane::InvertedElement(fmt::format("capsule {}: {}", number, error.what()));
+    refuse_element(error, k, numbers);
   }
 }
 
 }  // namespace
 
 NodeVectors move_nodes(const NodeVectors& positions, const NodeVectors& velocity, int threads,
-                       NodeVectors memory) {
+                       NodeVectors memory, CapsuleNumbers numbers) {
   resize_like(positions, memory);
   std::atomic<bool> too_far = false;
   share_out_nodes(positions, threads, [&](std::size_t k, Eigen::Index begin, Eigen::Index end) {
@@ -51,21 +72,22 @@ NodeVectors move_nodes(const NodeVectors& positions, const NodeVectors& velocity
   for (std::size_t k = 0; k < positions.size(); ++k) {
     for (Eigen::Index node = 0; node < positions[k].cols(); ++node) {
       if (moves_too_far(velocity[k].col(node)))
-        refuse_move(k, node, positions[k].col(node), velocity[k].col(node));
+        refuse_move(number_of(k, numbers), node, positions[k].col(node), velocity[k].col(node));
     }
   }
   return memory;
 }
 
 NodeVectors nodal_forces(std::vector<CapsuleMembrane>& membranes, const NodeVectors& positions,
-                         const NodeVectors& velocity, std::int64_t step, NodeVectors memory) {
+                         const NodeVectors& velocity, std::int64_t step, NodeVectors memory,
+                         CapsuleNumbers numbers) {
   NodeVectors forces = std::move(memory);
   forces.resize(membranes.size());
   std::vector<membrane::MembraneStep> steps;
   for (std::size_t k = 0; k < membranes.size(); ++k)
     steps.push_back(membranes[k].step_to(positions[k], forces[k]));
-  membrane::advance(steps);
-  for (std::size_t k = 0; k < membranes.size(); ++k) move_implicit(membranes[k], k);
+  advance_all(steps, numbers);
+  for (std::size_t k = 0; k < membranes.size(); ++k) move_implicit(membranes[k], k, numbers);
   for (std::size_t k = 0; k < membranes.size(); ++k)
     if (membranes[k].has_program()) forces[k] = membranes[k].program_forces(velocity[k], step);
   for (std::size_t k = 0; k < membranes.size(); ++k) membranes[k].add_load(step, forces[k]);

@@ -2,33 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <utility>
 
 #include "driver/system/phases.hpp"
+#include "driver/system/system_on_ranks.hpp"
+#include "driver/system/timer.hpp"
 
 namespace tanktread::driver {
 namespace {
-
-/// Adds the time between its making and its end to an account.
-class Timer {
- public:
-  explicit Timer(double& seconds) : seconds_(seconds) {}
-  ~Timer() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-  Timer(const Timer&) = delete;
-  Timer& operator=(const Timer&) = delete;
-
- private:
-  double& seconds_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-/// Calls a phase, or a part of one, and adds the time that it takes to its account.
-template <class Phase>
-auto timed(double& seconds, Phase phase) {
-  const Timer timer(seconds);
-  return phase();
-}
 
 void advance_phases(System& system, Passage& passage) {
   auto& fluid = *system.fluid;
@@ -109,6 +90,7 @@ void advance_phases(System& system, Passage& passage) {
 }  // namespace
 
 void advance(System& system, Passage& passage) {
+  if (system.on_ranks) return system.on_ranks->advance(system);
   const auto stop = [&system](const std::exception& error) {
     throw RunError(fmt::format("step {}: {}", system.step + 1, error.what()));
   };

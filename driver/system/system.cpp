@@ -8,6 +8,7 @@
 #include "driver/system/membrane_files.hpp"
 #include "driver/system/phases.hpp"
 #include "driver/system/run_ranks.hpp"
+#include "driver/system/system_on_ranks.hpp"
 
 namespace tanktread::driver {
 
@@ -34,6 +35,11 @@ std::unique_ptr<fluid::Fluid> make_fluid_on_ranks(const Case& the_case, const Fl
 }
 
 }  // namespace
+
+System::System() = default;
+System::System(System&&) noexcept = default;
+System& System::operator=(System&&) noexcept = default;
+System::~System() = default;
 
 System make_system(const Case& the_case, const Parameters& parameters, const MembraneShapes& shapes) {
   System system;

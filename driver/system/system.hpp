@@ -27,6 +27,7 @@ struct StepSeconds {
   double membranes = 0;   ///< moving the nodes, strain, stress, nodal forces
   double inside = 0;      ///< marking the nodes inside capsules, and their viscosity
   double implicit = 0;    ///< implicit viscous forces, with the free velocities taken for them
+  double messages = 0;    ///< to and from other ranks but for the fluid's, with what is waited for them
 };
 
 /// Packets of the step before, whose memory the next step writes to: fresh memory costs more than what is
@@ -36,6 +37,8 @@ struct StepPackets {
   Surfaces before;
   NodeVectors positions;
 };
+
+class SystemOnRanks;
 
 /// A case at work. Between two steps it stands at time t = `step`: positions x(t), populations after the
 /// collision of t with the grid force F(t), stencils at x(t). Node velocities and forces are those of the
@@ -59,6 +62,15 @@ struct System {
   StepSeconds seconds;
   int threads = 1;      ///< OpenMP threads
   StepPackets packets;  ///< for their memory; a step does not go on from what is in there
+
+  /// Where the steps are made, if several ranks share them; null: here. What is above but for the fluid is
+  /// then as collect() has left it.
+  std::unique_ptr<SystemOnRanks> on_ranks;
+
+  System();
+  System(System&&) noexcept;
+  System& operator=(System&&) noexcept;
+  ~System();
 
   double shear_time() const { return static_cast<double>(step) * shear_rate; }
 };

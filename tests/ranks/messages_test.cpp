@@ -46,6 +46,70 @@ TEST(RanksWorld, brings_messages_from_rank_to_rank) {
   }
 }
 
+/// What a rank writes to another in a round; longer from one rank to the next.
+Message letter(int from, int to, int round) {
+  Packing packing;
+  packing.put_text("from " + std::to_string(from) + " to " + std::to_string(to))
+      .put(round)
+      .put_all(std::vector<int>(static_cast<std::size_t>(100 * from + round), to));
+  return {to, packing.take_bytes()};
+}
+
+/// Whether a rank writes to another in a round: some to many, some to none, some to themselves.
+bool writes(int from, int to, int round) {
+  return (from * 7 + to * 3 + round) % 3 == 0;
+}
+
+// Nobody is told who writes to whom. Rounds follow each other, so that a rank may be a round behind.
+TEST(RanksWorld, exchanges_messages_of_which_no_receiver_knows) {
+  const auto& world = *all_ranks;
+  for (int round = 0; round < 20; ++round) {
+    std::vector<Message> outgoing;
+    for (int to = world.size() - 1; to >= 0; --to)
+      if (writes(world.rank(), to, round)) outgoing.push_back(letter(world.rank(), to, round));
+    const auto incoming = world.exchange(outgoing);
+    std::size_t n_expected = 0;
+    for (int from = 0; from < world.size(); ++from) {
+      if (!writes(from, world.rank(), round)) continue;
+      ASSERT_LT(n_expected, incoming.size());
+      EXPECT_EQ(incoming[n_expected].rank, from);
+      EXPECT_EQ(incoming[n_expected++].bytes, letter(from, world.rank(), round).bytes);
+    }
+    EXPECT_EQ(incoming.size(), n_expected);
+  }
+}
+
+TEST(RanksWorld, exchanges_messages_of_known_senders) {
+  const auto& world = *all_ranks;
+  for (int round = 0; round < 20; ++round) {
+    std::vector<Message> outgoing;
+    std::vector<int> senders;
+    for (int other = 0; other < world.size(); ++other) {
+      if (writes(world.rank(), other, round)) outgoing.push_back(letter(world.rank(), other, round));
+      if (writes(other, world.rank(), round)) senders.push_back(other);
+    }
+    const auto incoming = world.exchange(outgoing, senders);
+    ASSERT_EQ(incoming.size(), senders.size());
+    for (std::size_t k = 0; k < senders.size(); ++k) {
+      EXPECT_EQ(incoming[k].rank, senders[k]);
+      EXPECT_EQ(incoming[k].bytes, letter(senders[k], world.rank(), round).bytes);
+    }
+  }
+}
+
+TEST(RanksWorld, gathers_the_numbers_of_all) {
+  const auto& world = *all_ranks;
+  const auto of = [](int rank) {
+    return std::vector<double>(static_cast<std::size_t>(rank % 3), 0.1 * rank);
+  };
+  std::vector<double> expected;
+  for (int rank = 0; rank < world.size(); ++rank) {
+    const auto numbers = of(rank);
+    expected.insert(expected.end(), numbers.begin(), numbers.end());
+  }
+  EXPECT_EQ(world.all_numbers(of(world.rank())), expected);
+}
+
 // Along every axis of every division, with walls and without: an axis of two ranks has the same neighbour on
 // both sides, one of one rank itself, and none may be mistaken for the other. A rank may be late.
 TEST(RanksMessages, come_from_where_they_were_sent) {
