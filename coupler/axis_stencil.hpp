@@ -8,6 +8,7 @@
 #include <string>
 
 #include "coupler/coupler.hpp"
+#include "coupler/grid_region.hpp"
 
 namespace tanktread::coupler {
 
@@ -58,30 +59,40 @@ inline void slopes_of(const Kernel& kernel, int n, const double* first_distances
   for (int k = 0; k < n_slopes; ++k) slopes[k] = -slopes[k];
 }
 
+/// The lowest grid node within a kernel's reach of a position, any whole number.
+inline double lowest_node(double position, double half_width) {
+  // The lowest node whose distance is less than the half-width. The highest then is at most at the
+  // half-width, where the kernel vanishes.
+  return std::floor(position - 0.5 - half_width) + 1.0;
+}
+
 /// What became of a coordinate.
 enum class Fit { inside, beyond_wall, not_finite, too_far };
 
-/// The grid as seen along one axis. The kernel is borrowed and must outlive this.
+/// The grid as seen along one axis, its nodes counted from that where a region of it begins. The kernel is
+/// borrowed and must outlive this.
 class AxisStencil {
  public:
-  AxisStencil(int nodes, bool periodic, const Kernel& kernel)
-      : nodes_(nodes), periodic_(periodic), width_(width_of(kernel)), kernel_(kernel) {}
+  AxisStencil(const Grid& grid, const GridPart& region, int axis, const Kernel& kernel)
+      : nodes_(grid.nodes[axis]),
+        periodic_(grid.periodic[axis]),
+        begin_(region.begin[axis]),
+        width_(width_of(kernel)),
+        kernel_(kernel) {}
 
-  /// The lowest grid node within the kernel's reach, any whole number, and its distance from the position.
+  /// The lowest grid node within the kernel's reach, and its distance from the position.
   struct Lowest {
     double node, distance;
   };
   Lowest lowest(double position) const {
-    const double from_first_node = position - 0.5;
-    // The lowest node whose distance is less than the half-width. The highest then is at most at the
-    // half-width, where the kernel vanishes.
-    const double node = std::floor(from_first_node - kernel_.half_width) + 1.0;
-    return {node, node - from_first_node};
+    const double node = lowest_node(position, kernel_.half_width);
+    return {node, node - (position - 0.5)};
   }
 
   /// Finds the `width` grid nodes first, first + 1, ... (modulo the period) within the kernel's reach.
   /// @param lowest   the grid node of lowest(position)
-  /// @param first    the lowest of them, 0 <= first < nodes; without a period first + width <= nodes as well
+  /// @param first    the lowest of them, counted from the region's first; if the region is the grid,
+  ///                 0 <= first < nodes; without a period first + width <= nodes as well
   /// @param weights  `width` numbers, phi(node - position) from the lowest node on; perhaps shifted
   /// @param slopes   of these, anew where they are shifted; or null
   /// @return anything but `inside`: first, weights and slopes are of no use
@@ -90,7 +101,7 @@ class AxisStencil {
     if (std::abs(position) > farthest_coordinate) return Fit::too_far;
     std::int64_t index = static_cast<std::int64_t>(lowest);
     if (periodic_) {
-      first = wrapped(index);
+      first = wrapped(index - begin_, nodes_);
       return Fit::inside;
     }
     // A node beyond the wall is harmless where its weight is zero (a kernel just at the end of its reach):
@@ -106,7 +117,7 @@ class AxisStencil {
       --index;
       if (slopes != nullptr) slopes_from(lowest - 1.0, position, slopes);
     }
-    first = static_cast<int>(index);
+    first = static_cast<int>(index - begin_);
     return index >= 0 && index + width_ <= nodes_ ? Fit::inside : Fit::beyond_wall;
   }
 
@@ -117,14 +128,9 @@ class AxisStencil {
     slopes_of(kernel_, 1, &distance, slopes);
   }
 
-  int wrapped(std::int64_t index) const {
-    if (index >= 0 && index < nodes_) return static_cast<int>(index);
-    const std::int64_t remainder = index % nodes_;
-    return static_cast<int>(remainder < 0 ? remainder + nodes_ : remainder);
-  }
-
   int nodes_;
   bool periodic_;
+  int begin_;  ///< of the region
   int width_;
   const Kernel& kernel_;
 };

@@ -30,10 +30,14 @@ void check_grid(const Grid& grid, const Kernel& kernel) {
 
 }  // namespace
 
-Coupler::Coupler(const Grid& grid, const Kernel& kernel, int threads) {
+Coupler::Coupler(const Grid& grid, const Kernel& kernel, int threads)
+    : Coupler(grid, whole_of(grid), kernel, threads) {}
+
+Coupler::Coupler(const Grid& grid, const GridPart& part, const Kernel& kernel, int threads) {
   check_kernel(kernel);
   check_grid(grid, kernel);
-  implementation_ = std::make_unique<Implementation>(grid, kernel, number_of_threads(threads));
+  require_part(grid, part);
+  implementation_ = std::make_unique<Implementation>(grid, part, kernel, number_of_threads(threads));
 }
 
 Coupler::~Coupler() = default;
@@ -42,9 +46,22 @@ const Kernel& Coupler::kernel() const {
   return implementation_->builder.kernel();
 }
 
+const GridPart& Coupler::region() const {
+  return implementation_->builder.region();
+}
+
 void Coupler::build(std::span<const std::span<const double>> surfaces, std::span<const ShearDipole> dipoles) {
   implementation_->builder.build(surfaces, dipoles, implementation_->next);
   std::swap(implementation_->stencils, implementation_->next);
+}
+
+std::span<const std::int32_t> Coupler::home_nodes(std::size_t surface) const {
+  const Stencils& stencils = implementation_->stencils;
+  if (surface >= stencils.n_surfaces()) {
+    throw std::invalid_argument("coupler: nodes at home of surface " + std::to_string(surface) + " of " +
+                                std::to_string(stencils.n_surfaces()));
+  }
+  return stencils.nodes.home_nodes(surface);
 }
 
 std::span<const std::int64_t> Coupler::grid_nodes() const {

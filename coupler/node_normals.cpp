@@ -5,8 +5,8 @@
 #include <cstring>
 #include <string>
 
+#include "coupler/node_selection.hpp"
 #include "coupler/products.hpp"
-#include "coupler/stencils.hpp"
 #include "coupler/surface_check.hpp"
 #include "coupler/threads.hpp"
 

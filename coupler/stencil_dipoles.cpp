@@ -15,7 +15,7 @@ void StencilBuilder::check_dipoles(std::span<const ShearDipole> dipoles, const S
   }
   for (std::size_t s = 0; s < dipoles.size(); ++s) {
     if (dipoles[s].length == 0) continue;
-    const std::size_t needed = 3 * (stencils.first_node[s + 1] - stencils.first_node[s]);
+    const std::size_t needed = 3 * stencils.nodes.n_nodes_of_surface[s];
     if (!std::isfinite(dipoles[s].length) || dipoles[s].normals.size() != needed) {
       throw std::invalid_argument("coupler: the shear dipole of surface " + std::to_string(s) +
                                   " has the length " + std::to_string(dipoles[s].length) + " and " +
@@ -34,18 +34,18 @@ void StencilBuilder::take_dipoles(std::span<const ShearDipole> dipoles, Stencils
   if (std::ranges::all_of(dipoles, [](const ShearDipole& dipole) { return dipole.length == 0; })) return;
   stencils.normals.resize(3 * stencils.n_nodes());
   stencils.slopes.resize(stencils.weights.size());
-  for (std::size_t s = 0; s < dipoles.size(); ++s) {
-    stencils.dipoles.push_back({{}, dipoles[s].length});
+  for (const ShearDipole& dipole : dipoles) stencils.dipoles.push_back({{}, dipole.length});
+  SurfaceOfNode surface(stencils.nodes);
+  for (std::size_t m = 0; m < stencils.n_nodes(); ++m) {
+    const std::size_t s = surface.of(m), node = surface.node(m);
     if (dipoles[s].length == 0) continue;
-    const auto normals = dipoles[s].normals;
-    const auto lost = std::ranges::find_if_not(normals, [](double number) { return std::isfinite(number); });
-    if (lost != normals.end()) {
-      throw StencilError("coupler: surface " + std::to_string(s) + ", node " +
-                         std::to_string((lost - normals.begin()) / 3) +
-                         ": its normal, which the shear dipole needs, is not finite");
+    const auto normal = dipoles[s].normals.subspan(3 * node, 3);
+    if (!std::ranges::all_of(normal, [](double number) { return std::isfinite(number); })) {
+      throw StencilError("coupler: surface " + std::to_string(s) + ", node " + std::to_string(node) +
+                             ": its normal, which the shear dipole needs, is not finite",
+                         precedence_of(StencilFault::normal, s, node));
     }
-    std::ranges::copy(normals,
-                      stencils.normals.begin() + static_cast<std::ptrdiff_t>(3 * stencils.first_node[s]));
+    std::ranges::copy(normal, stencils.normals.begin() + static_cast<std::ptrdiff_t>(3 * m));
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 namespace tanktread::coupler {
@@ -10,8 +9,6 @@ namespace {
 
 /// Nodes whose weights are computed in one go.
 constexpr std::size_t weighed_at_once = 64;
-
-constexpr char axis_name[] = {'x', 'y', 'z'};
 
 /// Index of the k-th grid node of a stencil along an axis.
 int index_of(int first, int k, int nodes) {
@@ -35,22 +32,24 @@ void visit_shares(const std::vector<int>& share_of_plane, int first_plane, int w
 
 }  // namespace
 
-StencilBuilder::StencilBuilder(const Grid& grid, const Kernel& kernel, int n_shares)
+StencilBuilder::StencilBuilder(const Grid& grid, const GridPart& part, const Kernel& kernel, int n_shares)
     : grid_(grid),
       kernel_(kernel),
       width_(width_of(kernel)),
       n_shares_(n_shares),
-      axes_{AxisStencil(grid.nodes[0], grid.periodic[0], kernel_),
-            AxisStencil(grid.nodes[1], grid.periodic[1], kernel_),
-            AxisStencil(grid.nodes[2], grid.periodic[2], kernel_)},
-      marks_(grid),
-      share_of_plane_(grid.nodes[2]),
-      counts_(n_shares, Counts{std::vector<std::size_t>(grid.nodes[2]), std::vector<std::size_t>(n_shares)}) {
-}
+      region_(region_of(grid, part, width_)),
+      region_grid_(grid_of_region(grid, region_)),
+      selector_(grid, part, kernel, n_shares),
+      axes_{AxisStencil(grid, region_, 0, kernel_), AxisStencil(grid, region_, 1, kernel_),
+            AxisStencil(grid, region_, 2, kernel_)},
+      marks_(region_grid_),
+      share_of_plane_(region_grid_.nodes[2]),
+      counts_(n_shares,
+              Counts{std::vector<std::size_t>(region_grid_.nodes[2]), std::vector<std::size_t>(n_shares)}) {}
 
 void StencilBuilder::build(std::span<const std::span<const double>> surfaces,
                            std::span<const ShearDipole> dipoles, Stencils& stencils) {
-  resize(surfaces, stencils);
+  select(surfaces, stencils);
   check_dipoles(dipoles, stencils);
   take_dipoles(dipoles, stencils);
   weigh(surfaces, stencils);
@@ -60,17 +59,16 @@ void StencilBuilder::build(std::span<const std::span<const double>> surfaces,
   number(stencils);
 }
 
-void StencilBuilder::resize(std::span<const std::span<const double>> surfaces, Stencils& stencils) const {
+// Which membrane nodes have stencils, and the memory for these.
+void StencilBuilder::select(std::span<const std::span<const double>> surfaces, Stencils& stencils) {
   stencils.width = width_;
-  stencils.first_node.assign(1, 0);
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
-    if (surfaces[s].size() % 3 != 0) {
-      throw std::invalid_argument("coupler: surface " + std::to_string(s) + " has " +
-                                  std::to_string(surfaces[s].size()) +
-                                  " coordinates; 3 numbers a node are needed");
-    }
-    stencils.first_node.push_back(stencils.n_nodes() + surfaces[s].size() / 3);
+    if (surfaces[s].size() % 3 == 0) continue;
+    throw std::invalid_argument("coupler: surface " + std::to_string(s) + " has " +
+                                std::to_string(surfaces[s].size()) +
+                                " coordinates; 3 numbers a node are needed");
   }
+  selector_.select(surfaces, stencils.nodes);
   const std::size_t n = stencils.n_nodes();
   stencils.weights.resize(3 * n * width_);
   stencils.first.resize(n);
@@ -88,24 +86,25 @@ void StencilBuilder::weigh(std::span<const std::span<const double>> surfaces, St
     counts.across = 0;
     counts.first_refused = n;
     const NodeRange range(n, share, n_shares_);
-    SurfaceOfNode surface(stencils.first_node);
+    SurfaceOfNode surface(stencils.nodes);
     for (std::size_t begin = range.begin, end; begin < range.end; begin = end) {
       const std::size_t s = surface.of(begin);
-      end = std::min({range.end, stencils.first_node[s + 1], begin + weighed_at_once});
-      weigh_nodes(&surfaces[s][3 * surface.node(begin)], begin, end, stencils.dipole_length(s) != 0, stencils,
-                  counts);
+      end = std::min({range.end, stencils.nodes.first_stencil[s + 1], begin + weighed_at_once});
+      double memory[3 * weighed_at_once];
+      weigh_nodes(stencils.nodes.positions_of(surfaces[s].data(), surface.node(begin), begin, end, memory),
+                  begin, end, stencils.dipole_length(s) != 0, stencils, counts);
       if (counts.first_refused < n) break;
     }
   }
   for (const Counts& counts : counts_) {
     if (counts.first_refused == n) continue;
-    SurfaceOfNode surface(stencils.first_node);
+    SurfaceOfNode surface(stencils.nodes);
     const std::size_t s = surface.of(counts.first_refused), node = surface.node(counts.first_refused);
     refuse(s, node, &surfaces[s][3 * node]);
   }
 }
 
-// @param positions of the node `begin` and on
+// @param positions of the stencil `begin` and on
 void StencilBuilder::weigh_nodes(const double* positions, std::size_t begin, std::size_t end,
                                  bool with_slopes, Stencils& stencils, Counts& counts) const {
   const int n_coordinates = static_cast<int>(3 * (end - begin));
@@ -130,13 +129,13 @@ void StencilBuilder::weigh_nodes(const double* positions, std::size_t begin, std
       return;
     }
     ++counts.of_first_plane[first[2]];
-    counts.across += first[0] + width_ > grid_.nodes[0];
+    counts.across += first[0] + width_ > region_grid_.nodes[0];
   }
 }
 
 // Neighbouring planes to one share, about as many planes of stencils to each.
 void StencilBuilder::cut_grid(Stencils& stencils) {
-  const int nz = grid_.nodes[2];
+  const int nz = region_grid_.nodes[2];
   std::vector<std::size_t> before(nz + 1, 0);  // planes of stencils in the planes before each
   for (const Counts& counts : counts_) {
     for (int z = 0; z < nz; ++z) {
@@ -187,7 +186,7 @@ void StencilBuilder::list_share_nodes(Stencils& stencils) {
 }
 
 GridMarks::Rows StencilBuilder::rows_of(const GridShare& share) const {
-  const std::int64_t ny = grid_.nodes[1];
+  const std::int64_t ny = region_grid_.nodes[1];
   return {share.first_plane * ny, share.last_plane * ny};
 }
 
@@ -214,7 +213,7 @@ void StencilBuilder::mark(Stencils& stencils) {
 
 template <int width>
 void StencilBuilder::mark_share(const Stencils& stencils, const GridShare& share) {
-  const int nx = grid_.nodes[0], nz = grid_.nodes[2];
+  const int nx = region_grid_.nodes[0], nz = region_grid_.nodes[2];
   for (std::size_t k = share.first_node; k < share.last_node; ++k) {
     const auto& first = stencils.first[stencils.share_nodes[k]];
     const int before_face = std::min(width, nx - first[0]);
@@ -246,7 +245,7 @@ void StencilBuilder::number(Stencils& stencils) {
 template <int width>
 void StencilBuilder::find_runs(int part, Stencils& stencils) const {
   const NodeRange range(stencils.n_nodes(), part, n_shares_);
-  const int nx = grid_.nodes[0], nz = grid_.nodes[2];
+  const int nx = region_grid_.nodes[0], nz = region_grid_.nodes[2];
   std::int32_t next_across = counts_[part].across;
   for (std::size_t m = range.begin; m < range.end; ++m) {
     const auto& first = stencils.first[m];
@@ -260,37 +259,6 @@ void StencilBuilder::find_runs(int part, Stencils& stencils) const {
     if (stencils.across[m] < 0) continue;
     list_numbers(0, &stencils.across_run[std::size_t{1} * stencils.across[m] * width * width]);
   }
-}
-
-void StencilBuilder::refuse(std::size_t surface, std::size_t node, const double* position) const {
-  std::ostringstream message;
-  message.precision(8);
-  message << "coupler: surface " << surface << ", node " << node << " at (" << position[0] << ", "
-          << position[1] << ", " << position[2] << "): ";
-  for (int axis = 0; axis < 3; ++axis) {
-    const double x = position[axis];
-    const double length = grid_.nodes[axis];
-    int first = 0;
-    const auto lowest = axes_[axis].lowest(x);
-    double weights[max_width];
-    weights_of(kernel_, 1, &lowest.distance, weights);
-    const Fit fit = axes_[axis].fit(x, lowest.node, first, weights, nullptr);
-    if (fit == Fit::inside) continue;
-    if (fit == Fit::not_finite) {
-      message << axis_name[axis] << " is not finite";
-    } else if (fit == Fit::too_far) {
-      message << axis_name[axis] << " is more than " << farthest_coordinate
-              << " grid steps from the origin, where a position no longer resolves the grid";
-    } else {
-      // The first node beyond a wall is half a grid step behind it.
-      const bool low = x < 0.5 * length;
-      message << "its distance from the wall at " << axis_name[axis] << " = " << (low ? 0.0 : length)
-              << " is " << (low ? x : length - x) << " grid steps; kernel '" << kernel_.name
-              << "' of half-width " << kernel_.half_width << " needs at least " << kernel_.half_width - 0.5;
-    }
-    throw StencilError(message.str());
-  }
-  throw std::logic_error("coupler: a node that fits was refused");
 }
 
 }  // namespace tanktread::coupler

@@ -11,6 +11,7 @@
 #include "coupler/axis_stencil.hpp"
 #include "coupler/coupler.hpp"
 #include "coupler/grid_marks.hpp"
+#include "coupler/node_selection.hpp"
 
 namespace tanktread::coupler {
 
@@ -24,65 +25,52 @@ struct GridShare {
   bool has_plane(int z) const { return first_plane <= z && z < last_plane; }
 };
 
-/// The stencil of membrane node m (counted through all surfaces) is the product of three stencils of `width`
-/// grid nodes, one an axis. In each of its width x width rows along x it touches a run of neighbours, whose
-/// numbers in grid_nodes are consecutive: one number a row says where they are. A run that goes on across the
-/// periodic face of x has a second part, which begins at x = 0.
+/// Stencil m (counted through all surfaces), of one membrane node, is the product of three stencils of
+/// `width` grid nodes, one an axis. In each of its width x width rows along x it touches a run of neighbours,
+/// whose numbers in grid_nodes are consecutive: one number a row says where they are. A run that goes on
+/// across the periodic face of x has a second part, which begins at x = 0.
 struct Stencils {
   int width = 0;
-  std::vector<std::size_t> first_node = {0};  ///< membrane nodes before each surface; at the end, of all
-  std::vector<double> weights;                ///< [m][axis][width]
-  std::vector<ShearDipole> dipoles;           ///< a surface, or none; their normals are gone, but for:
-  std::vector<double> normals;                ///< [m][3], of surfaces with a dipole
-  std::vector<double> slopes;                 ///< [m][axis][width], d weight/dx_m, likewise
-  std::vector<std::array<int, 3>> first;      ///< [m] lowest grid index along each axis, within the grid
-  std::vector<std::int32_t> run;              ///< [m][z][y] number of the first grid node of each row
-  std::vector<std::int32_t> across;           ///< [m] its place in across_run, in stencils; -1: not across x
-  std::vector<std::int32_t> across_run;       ///< [place][z][y] number of the grid node at x = 0 of each row
+  NodeSelection nodes;                    ///< whose they are
+  std::vector<double> weights;            ///< [m][axis][width]
+  std::vector<ShearDipole> dipoles;       ///< a surface, or none; their normals are gone, but for:
+  std::vector<double> normals;            ///< [m][3], of surfaces with a dipole
+  std::vector<double> slopes;             ///< [m][axis][width], d weight/dx_m, likewise
+  std::vector<std::array<int, 3>> first;  ///< [m] lowest grid index along each axis, within the region
+  std::vector<std::int32_t> run;          ///< [m][z][y] number of the first grid node of each row
+  std::vector<std::int32_t> across;       ///< [m] its place in across_run, in stencils; -1: not across x
+  std::vector<std::int32_t> across_run;   ///< [place][z][y] number of the grid node at x = 0 of each row
   /// Linear indices, ascending; shared with those who hold it beyond this instant.
   std::shared_ptr<std::vector<std::int64_t>> grid_nodes = std::make_shared<std::vector<std::int64_t>>();
-  std::vector<GridShare> shares;  ///< one after the other, all planes of the grid
-  /// The membrane nodes that touch the planes of the first share, ascending, then those of the second ...
+  std::vector<GridShare> shares;  ///< one after the other, all planes of the region
+  /// The stencils that touch the planes of the first share, ascending, then those of the second ...
   std::vector<std::size_t> share_nodes;
 
-  std::size_t n_surfaces() const { return first_node.size() - 1; }
-  std::size_t n_nodes() const { return first_node.back(); }
+  std::size_t n_surfaces() const { return nodes.n_nodes_of_surface.size(); }
+  std::size_t n_nodes() const { return nodes.n_stencils(); }
   /// d of the surface's shear dipole.
   double dipole_length(std::size_t surface) const { return dipoles.empty() ? 0 : dipoles[surface].length; }
 };
 
-/// Membrane nodes `begin` to `end` - 1: a share of the work on them.
-struct NodeRange {
-  NodeRange(std::size_t n_nodes, int share, int n_shares)
-      : begin(n_nodes * share / n_shares), end(n_nodes * (share + 1) / n_shares) {}
-  std::size_t begin, end;
-};
+/// What a StencilError says, in the order in which they are looked for.
+enum class StencilFault { normal, position };
 
-/// Which surface a membrane node is of, and its number there, for nodes asked for in ascending order.
-class SurfaceOfNode {
- public:
-  /// @param first_node of Stencils
-  explicit SurfaceOfNode(const std::vector<std::size_t>& first_node) : first_node_(first_node) {}
+/// StencilError::precedence.
+inline std::uint64_t precedence_of(StencilFault fault, std::size_t surface, std::size_t node) {
+  return std::uint64_t{fault == StencilFault::position} << 63 | std::uint64_t{surface} << 32 |
+         std::uint64_t{node};
+}
 
-  std::size_t of(std::size_t m) {
-    while (m >= first_node_[surface_ + 1]) ++surface_;
-    return surface_;
-  }
-  /// Of the last node that of() was asked for.
-  std::size_t node(std::size_t m) const { return m - first_node_[surface_]; }
-
- private:
-  const std::vector<std::size_t>& first_node_;
-  std::size_t surface_ = 0;
-};
-
-/// Builds Stencils for one grid and kernel.
+/// Builds Stencils for one part of a grid and one kernel.
 class StencilBuilder {
  public:
   /// @param n_shares the work is cut into this many shares, each done by one thread
-  StencilBuilder(const Grid& grid, const Kernel& kernel, int n_shares);
+  StencilBuilder(const Grid& grid, const GridPart& part, const Kernel& kernel, int n_shares);
 
   const Kernel& kernel() const { return kernel_; }
+  const GridPart& region() const { return region_; }
+  /// The region as a grid of its own, whose nodes the stencils name.
+  const Grid& grid_of_stencils() const { return region_grid_; }
   StencilBuilder(const StencilBuilder&) = delete;
   StencilBuilder& operator=(const StencilBuilder&) = delete;
 
@@ -100,7 +88,7 @@ class StencilBuilder {
     std::size_t first_refused = 0;            ///< the first node without a stencil; that after the last: none
   };
 
-  void resize(std::span<const std::span<const double>> surfaces, Stencils& stencils) const;
+  void select(std::span<const std::span<const double>> surfaces, Stencils& stencils);
   void weigh(std::span<const std::span<const double>> surfaces, Stencils& stencils);
   void weigh_nodes(const double* positions, std::size_t begin, std::size_t end, bool with_slopes,
                    Stencils& stencils, Counts& counts) const;
@@ -120,6 +108,9 @@ class StencilBuilder {
   Grid grid_;
   Kernel kernel_;
   int width_, n_shares_;
+  GridPart region_;
+  Grid region_grid_;
+  NodeSelector selector_;
   std::array<AxisStencil, 3> axes_;
   GridMarks marks_;
   std::vector<int> share_of_plane_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -48,12 +49,32 @@ bool is_finite(const double* vector) {
   return std::isfinite(vector[0]) && std::isfinite(vector[1]) && std::isfinite(vector[2]);
 }
 
-/// A node without a triangle has no normal, and one number that is not finite would spoil all around it.
-void require_finite(const std::string& what, std::size_t surface, std::span<const double> numbers) {
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    if (std::isfinite(numbers[k])) continue;
-    throw CorrectionError("the " + what + " of node " + std::to_string(k / 3) + " of surface " +
-                          std::to_string(surface) + " is not finite");
+/// The first node of a surface whose vector is not finite, if there is one.
+/// @param nodes that have stencils
+std::optional<std::size_t> first_not_finite(const NodeSelection& nodes, std::size_t surface,
+                                            std::span<const double> vectors) {
+  SurfaceOfNode of(nodes);
+  for (std::size_t m = nodes.first_stencil[surface]; m < nodes.first_stencil[surface + 1]; ++m) {
+    of.of(m);
+    if (!is_finite(&vectors[3 * of.node(m)])) return of.node(m);
+  }
+  return std::nullopt;
+}
+
+/// @throws std::invalid_argument unless both are of as many surfaces, and of as many numbers for each
+template <class Others>
+void check_alike(const std::string& what, const Others& others, const std::string& than_what,
+                 const auto& numbers) {
+  if (others.size() != numbers.size()) {
+    throw std::invalid_argument("coupler: " + what + " and " + than_what + " of a correction are of " +
+                                std::to_string(others.size()) + " and " + std::to_string(numbers.size()) +
+                                " surfaces");
+  }
+  for (std::size_t s = 0; s < numbers.size(); ++s) {
+    if (others[s].size() == numbers[s].size()) continue;
+    throw std::invalid_argument("coupler: surface " + std::to_string(s) + " has " +
+                                std::to_string(numbers[s].size()) + " numbers of " + than_what + ", but " +
+                                std::to_string(others[s].size()) + " of " + what);
   }
 }
 
@@ -91,36 +112,22 @@ TangentialCorrection::TangentialCorrection(const Coupler& coupler, const Shortfa
 void TangentialCorrection::add(const Coupler& coupler, std::span<const std::span<const double>> normals,
                                std::span<const std::span<const double>> force,
                                std::span<const std::span<double>> velocity) const {
-  if (coupler.kernel().function != kernel_.function) {
-    throw std::invalid_argument("coupler: a correction of kernel '" + kernel_.name + "' with a coupler of '" +
-                                coupler.kernel().name + "'");
-  }
-  if (normals.size() != force.size() || velocity.size() != force.size()) {
-    throw std::invalid_argument("coupler: normals, forces and velocities of a correction are of " +
-                                std::to_string(normals.size()) + ", " + std::to_string(force.size()) +
-                                " and " + std::to_string(velocity.size()) + " surfaces");
-  }
-  for (std::size_t s = 0; s < force.size(); ++s) {
-    if (normals[s].size() == force[s].size() && velocity[s].size() == force[s].size()) continue;
-    throw std::invalid_argument("coupler: surface " + std::to_string(s) + " has " +
-                                std::to_string(force[s].size()) + " numbers of force, but " +
-                                std::to_string(normals[s].size()) + " of normals and " +
-                                std::to_string(velocity[s].size()) + " of velocity");
-  }
+  check_kernel(coupler);
+  check_alike("velocity", velocity, "force", force);  // before anything is done
+  on_grid_->resize(3 * coupler.grid_nodes().size());
+  spread(coupler, normals, force, *on_grid_);
+  add_from(coupler, normals, *on_grid_, velocity);
+}
+
+void TangentialCorrection::spread(const Coupler& coupler, std::span<const std::span<const double>> normals,
+                                  std::span<const std::span<const double>> force,
+                                  std::span<double> on_grid) const {
+  check(coupler, on_grid.size());
+  check_alike("normals", normals, "force", force);
   const auto& transfer = *coupler.implementation_;
   transfer.check_surfaces("correction, force", force);
   if (n_surfaces_ > 0) check_size("correction, shortfalls", n_surfaces_, force.size());
-  const bool finite = transfer.for_all_nodes([&](std::size_t surface, std::size_t node) {
-    return is_finite(&normals[surface][3 * node]) && is_finite(&force[surface][3 * node]);
-  });
-  if (!finite) {
-    for (std::size_t s = 0; s < force.size(); ++s) {
-      require_finite("normal", s, normals[s]);
-      require_finite("force", s, force[s]);
-    }
-  }
-  auto& on_grid = *on_grid_;
-  on_grid.resize(3 * coupler.grid_nodes().size());
+  require_finite(coupler, normals, force);
   transfer.spread(
       With::weights_alone,
       [&](std::size_t surface, std::size_t node, double* result) {
@@ -128,12 +135,54 @@ void TangentialCorrection::add(const Coupler& coupler, std::span<const std::span
         for (int axis = 0; axis < 3; ++axis) result[axis] = mobility(surface).of_forces * along[axis];
       },
       on_grid);
+}
+
+void TangentialCorrection::add_from(const Coupler& coupler, std::span<const std::span<const double>> normals,
+                                    std::span<const double> on_grid,
+                                    std::span<const std::span<double>> velocity) const {
+  check(coupler, on_grid.size());
+  check_alike("normals", normals, "velocity", velocity);
+  const auto& transfer = *coupler.implementation_;
+  transfer.check_surfaces("correction, velocity", velocity);
+  if (n_surfaces_ > 0) check_size("correction, shortfalls", n_surfaces_, velocity.size());
   transfer.interpolate(
       With::weights_alone, on_grid, [&](std::size_t surface, std::size_t node, const double* smoothed) {
         const Vector along = tangential(&normals[surface][3 * node], smoothed);
         for (int axis = 0; axis < 3; ++axis)
           velocity[surface][3 * node + axis] += mobility(surface).of_velocities * along[axis];
       });
+}
+
+void TangentialCorrection::check(const Coupler& coupler, std::size_t n_on_grid) const {
+  check_kernel(coupler);
+  check_size("correction, on_grid", n_on_grid, 3 * coupler.grid_nodes().size());
+}
+
+void TangentialCorrection::check_kernel(const Coupler& coupler) const {
+  if (coupler.kernel().function == kernel_.function) return;
+  throw std::invalid_argument("coupler: a correction of kernel '" + kernel_.name + "' with a coupler of '" +
+                              coupler.kernel().name + "'");
+}
+
+// A node without a triangle has no normal, and one number that is not finite would spoil all around it.
+void TangentialCorrection::require_finite(const Coupler& coupler,
+                                          std::span<const std::span<const double>> normals,
+                                          std::span<const std::span<const double>> force) {
+  const auto& transfer = *coupler.implementation_;
+  const bool finite = transfer.for_all_nodes([&](std::size_t surface, std::size_t node) {
+    return is_finite(&normals[surface][3 * node]) && is_finite(&force[surface][3 * node]);
+  });
+  if (finite) return;
+  const NodeSelection& nodes = transfer.stencils.nodes;
+  for (std::size_t s = 0; s < force.size(); ++s) {
+    for (const bool of_forces : {false, true}) {
+      const auto node = first_not_finite(nodes, s, of_forces ? force[s] : normals[s]);
+      if (!node) continue;
+      throw CorrectionError(std::string("the ") + (of_forces ? "force" : "normal") + " of node " +
+                                std::to_string(*node) + " of surface " + std::to_string(s) + " is not finite",
+                            std::uint64_t{s} << 33 | std::uint64_t{of_forces} << 32 | *node);
+    }
+  }
 }
 
 }  // namespace tanktread::coupler

@@ -2,9 +2,11 @@
 // back.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "coupler/coupler.hpp"
@@ -14,7 +16,10 @@ namespace tanktread::coupler {
 /// A node has no normal, or a force that is not finite. The message says surface and node.
 class CorrectionError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit CorrectionError(const std::string& message, std::uint64_t the_precedence = 0)
+      : std::runtime_error(message), precedence(the_precedence) {}
+  /// As of a StencilError: of those of all parts of a grid, the lowest is that of the whole grid.
+  std::uint64_t precedence = 0;
 };
 
 /// Across a surface that pushes the fluid along itself with a force f an area, the velocity has a kink:
@@ -64,11 +69,29 @@ class TangentialCorrection {
   void add(const Coupler& coupler, std::span<const std::span<const double>> normals,
            std::span<const std::span<const double>> force, std::span<const std::span<double>> velocity) const;
 
+  /// add() in two, for those who must complete the numbers on the grid between: with a coupler of a part,
+  /// those at nodes of its region outside of the part are of no use, and come from the parts that they are
+  /// in.
+  /// @param normals, force looked at where nodes have stencils
+  /// @param on_grid 3 x grid_nodes() of the coupler, overwritten
+  /// @throws CorrectionError, std::invalid_argument as add()
+  void spread(const Coupler& coupler, std::span<const std::span<const double>> normals,
+              std::span<const std::span<const double>> force, std::span<double> on_grid) const;
+  /// @param on_grid what spread() wrote, complete
+  /// @param velocity to which it is added, at the nodes at home
+  /// @throws std::invalid_argument as add()
+  void add_from(const Coupler& coupler, std::span<const std::span<const double>> normals,
+                std::span<const double> on_grid, std::span<const std::span<double>> velocity) const;
+
  private:
   /// C/(mu S), or K/S, as two factors, one for the forces and one for the velocities of a surface.
   struct Mobility {
     double of_forces, of_velocities;
   };
+  void check_kernel(const Coupler& coupler) const;
+  void check(const Coupler& coupler, std::size_t n_on_grid) const;
+  static void require_finite(const Coupler& coupler, std::span<const std::span<const double>> normals,
+                             std::span<const std::span<const double>> force);
   const Mobility& mobility(std::size_t surface) const {
     return mobilities_[mobilities_.size() == 1 ? 0 : surface];
   }

@@ -25,8 +25,8 @@ inline void check_size(const std::string& what, std::size_t size, std::size_t ne
 enum class With { weights_alone, dipoles };
 
 struct Coupler::Implementation {
-  Implementation(const Grid& the_grid, const Kernel& kernel, int shares)
-      : grid(the_grid), n_shares(shares), builder(the_grid, kernel, shares) {}
+  Implementation(const Grid& the_grid, const GridPart& part, const Kernel& kernel, int shares)
+      : n_shares(shares), builder(the_grid, part, kernel, shares), grid(builder.grid_of_stencils()) {}
 
   /// @throws std::invalid_argument unless `surfaces` are as many, and as long, as those that the stencils
   /// were built for
@@ -34,20 +34,20 @@ struct Coupler::Implementation {
   void check_surfaces(const std::string& what, const Surfaces& surfaces) const {
     check_size(what + ", surfaces", surfaces.size(), stencils.n_surfaces());
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
-      const std::size_t needed = 3 * (stencils.first_node[s + 1] - stencils.first_node[s]);
+      const std::size_t needed = 3 * stencils.nodes.n_nodes_of_surface[s];
       if (surfaces[s].size() != needed)
         check_size(what + ", numbers of surface " + std::to_string(s), surfaces[s].size(), needed);
     }
   }
 
-  /// Whether holds(surface, node) for every membrane node.
+  /// Whether holds(surface, node) for every membrane node that has a stencil.
   template <class Holds>
   bool for_all_nodes(const Holds& holds) const {
     bool all = true;
 #pragma omp parallel for num_threads(n_shares) schedule(static, 1) reduction(&& : all)
     for (int share = 0; share < n_shares; ++share) {
       const NodeRange range(stencils.n_nodes(), share, n_shares);
-      SurfaceOfNode surface(stencils.first_node);
+      SurfaceOfNode surface(stencils.nodes);
       for (std::size_t m = range.begin; m < range.end; ++m) {
         const std::size_t s = surface.of(m);
         all = all && holds(s, surface.node(m));
@@ -56,7 +56,7 @@ struct Coupler::Implementation {
     return all;
   }
 
-  /// Calls take(surface, node, u_m) for every membrane node, from any thread.
+  /// Calls take(surface, node, u_m) for every membrane node at home, from any thread.
   template <class Take>
   void interpolate(With with, std::span<const double> grid_velocity, const Take& take) const {
     if (stencils.n_nodes() == 0) return;
@@ -79,9 +79,9 @@ struct Coupler::Implementation {
     });
   }
 
-  Grid grid;
   int n_shares;
   StencilBuilder builder;
+  Grid grid;          ///< whose nodes the stencils name
   Stencils stencils;  ///< in use
   Stencils next;      ///< being built, so that the old ones stay if that fails
 
@@ -92,9 +92,10 @@ struct Coupler::Implementation {
 
   template <int width, class Take>
   void interpolate_share(With with, int share, const double* grid_velocity, const Take& take) const {
-    const NodeRange range(stencils.n_nodes(), share, n_shares);
-    SurfaceOfNode surface(stencils.first_node);
-    for (std::size_t m = range.begin; m < range.end; ++m) {
+    const NodeRange range(stencils.nodes.n_home(), share, n_shares);
+    SurfaceOfNode surface(stencils.nodes);
+    for (std::size_t k = range.begin; k < range.end; ++k) {
+      const std::size_t m = stencils.nodes.home_stencil(k);
       double velocity[3];
       const std::size_t s = surface.of(m);
       if (has_dipole(with, s)) {
@@ -111,7 +112,7 @@ struct Coupler::Implementation {
   template <int width, class Force>
   void spread_share(With with, const GridShare& share, const Force& force, double* grid_force) const {
     std::fill(grid_force + 3 * share.first_number, grid_force + 3 * share.last_number, 0.0);
-    SurfaceOfNode surface(stencils.first_node);
+    SurfaceOfNode surface(stencils.nodes);
     for (std::size_t k = share.first_node; k < share.last_node; ++k) {
       const std::size_t m = stencils.share_nodes[k], s = surface.of(m);
       double node_force[3];
