@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "coupler/grid_region.hpp"
 #include "coupler/inside_runs.hpp"
 #include "coupler/surface_rows.hpp"
 #include "coupler/threads.hpp"
@@ -16,10 +17,15 @@ struct InsideMarks::Implementation {
   using Positions = std::span<const std::span<const double>>;
   using Triangles = std::span<const std::span<const int>>;
 
-  Implementation(const Grid& the_grid, int threads)
-      : grid(the_grid), n_threads(threads), runs(grid.nodes[2]), new_runs(grid.nodes[2]), changed(threads) {
+  Implementation(const Grid& the_grid, const GridPart& the_part, int threads)
+      : grid(the_grid),
+        part(the_part),
+        n_threads(threads),
+        runs(part.nodes[2]),
+        new_runs(part.nodes[2]),
+        changed(threads) {
     std::int64_t n_nodes = 1;
-    for (const int nodes : grid.nodes) n_nodes *= nodes;
+    for (const int nodes : part.nodes) n_nodes *= nodes;
     marks.resize(n_nodes);
   }
 
@@ -30,9 +36,11 @@ struct InsideMarks::Implementation {
   void keep();
 
   Grid grid;
+  GridPart part;
   int n_threads;
   std::vector<RowSurface> surfaces;
-  std::vector<RowScan> scans;
+  std::vector<RowBlock> blocks;
+  std::vector<RowScan> scans;                ///< of these
   InsideRuns runs, new_runs;                 ///< those of the marks, and those to come
   std::vector<std::vector<Change>> changed;  ///< by each share of the planes
   std::vector<Change> changes;
@@ -41,14 +49,15 @@ struct InsideMarks::Implementation {
 
 namespace {
 
-/// @return the grid, if all its axes have nodes @throws std::invalid_argument
-const Grid& checked(const Grid& grid) {
+/// @return the part, if all axes have nodes and it is within them @throws std::invalid_argument
+const GridPart& checked(const Grid& grid, const GridPart& part) {
   for (int axis = 0; axis < 3; ++axis) {
     if (grid.nodes[axis] > 0) continue;
     throw std::invalid_argument("coupler: grid of " + std::to_string(grid.nodes[axis]) + " nodes along " +
                                 "xyz"[axis] + "; 1 or more is needed");
   }
-  return grid;
+  require_part(grid, part);
+  return part;
 }
 
 /// @param run begins in the run that is before it in its list
@@ -56,10 +65,11 @@ const Grid& checked(const Grid& grid) {
   const std::int64_t nx = grid.nodes[0], ny = grid.nodes[1], node = run->begin;
   const auto [surface, other] = std::minmax({run[-1].mark - 1, run->mark - 1});
   throw InsideError("coupler: surface " + std::to_string(surface) +
-                    (surface == other ? " overlaps its periodic image"
-                                      : " and surface " + std::to_string(other) + " overlap") +
-                    " at grid node (" + std::to_string(node % nx) + ", " + std::to_string(node / nx % ny) +
-                    ", " + std::to_string(node / (nx * ny)) + ")");
+                        (surface == other ? " overlaps its periodic image"
+                                          : " and surface " + std::to_string(other) + " overlap") +
+                        " at grid node (" + std::to_string(node % nx) + ", " +
+                        std::to_string(node / nx % ny) + ", " + std::to_string(node / (nx * ny)) + ")",
+                    precedence_of(InsideFault::overlap, static_cast<std::uint64_t>(node)));
 }
 
 }  // namespace
@@ -97,20 +107,25 @@ void InsideMarks::Implementation::take_in(Positions positions, Triangles triangl
 // Each scan goes through all triangles of a surface, which costs little where they do not meet its planes:
 // there are no more scans than the threads need.
 void InsideMarks::Implementation::scan() {
-  const int n_surfaces = static_cast<int>(surfaces.size());
-  if (n_surfaces == 0) return scans.clear();
-  const int parts = n_threads == 1 ? 1 : (2 * n_threads + n_surfaces - 1) / n_surfaces;
-  scans.resize(std::size_t{1} * n_surfaces * parts);
+  blocks.clear();
+  for (const RowSurface& surface : surfaces) add_blocks(grid, part, surface, blocks);
+  const int n_blocks = static_cast<int>(blocks.size());
+  if (n_blocks == 0) return scans.clear();
+  const int cuts = n_threads == 1 ? 1 : (2 * n_threads + n_blocks - 1) / n_blocks;
+  scans.resize(std::size_t{1} * n_blocks * cuts);
 #pragma omp parallel for num_threads(n_threads) schedule(dynamic)
-  for (int number = 0; number < n_surfaces * parts; ++number) {
-    const RowSurface& surface = surfaces[number / parts];
-    const int part = number % parts, first = surface.planes.begin, n_planes = surface.planes.end - first;
-    scans[number].find(grid, surface,
-                       {first + n_planes * part / parts, first + n_planes * (part + 1) / parts});
+  for (int number = 0; number < n_blocks * cuts; ++number) {
+    RowBlock block = blocks[number / cuts];
+    const int piece = number % cuts, first = block.planes.begin, n_planes = block.planes.end - first;
+    block.planes = {first + n_planes * piece / cuts, first + n_planes * (piece + 1) / cuts};
+    scans[number].find(grid, part, block);
   }
+  const InsideError* fault = nullptr;
   for (const RowScan& scan : scans) {
-    if (!scan.fault().empty()) throw InsideError(scan.fault());
+    if (scan.fault() && (fault == nullptr || scan.fault()->precedence < fault->precedence))
+      fault = &*scan.fault();
   }
+  if (fault != nullptr) throw InsideError(*fault);
 }
 
 // Sorts the new runs, and lists what they change.
@@ -120,13 +135,15 @@ void InsideMarks::Implementation::compare() {
   for (int share = 0; share < n_threads; ++share) {
     changed[share].clear();
     const AxisRange planes = new_runs.planes_of(share, n_threads);
-    for (int plane = planes.begin; plane < planes.end && !overlaps[share]; ++plane) {
+    for (int plane = planes.begin; plane < planes.end; ++plane) {
       overlaps[share] = new_runs.sort(plane);
+      if (overlaps[share] != nullptr) break;
+      if (!is_whole(grid, part)) new_runs.cut(plane, grid, part);
       add_changes(runs.of_plane(plane), new_runs.of_plane(plane), changed[share]);
     }
   }
   for (const InsideRun* overlap : overlaps) {
-    if (overlap) refuse_overlap(grid, overlap);
+    if (overlap != nullptr) refuse_overlap(grid, overlap);
   }
 }
 
@@ -137,8 +154,11 @@ void InsideMarks::Implementation::keep() {
   std::swap(runs, new_runs);
 }
 
-InsideMarks::InsideMarks(const Grid& grid, int threads)
-    : implementation_(std::make_unique<Implementation>(checked(grid), number_of_threads(threads))) {}
+InsideMarks::InsideMarks(const Grid& grid, int threads) : InsideMarks(grid, whole_of(grid), threads) {}
+
+InsideMarks::InsideMarks(const Grid& grid, const GridPart& part, int threads)
+    : implementation_(
+          std::make_unique<Implementation>(grid, checked(grid, part), number_of_threads(threads))) {}
 
 InsideMarks::~InsideMarks() = default;
 

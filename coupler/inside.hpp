@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <stdexcept>
+#include <string>
 
 #include "coupler/coupler.hpp"
 
@@ -15,7 +16,10 @@ namespace tanktread::coupler {
 /// message says surface and place.
 class InsideError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit InsideError(const std::string& message, std::uint64_t the_precedence = 0)
+      : std::runtime_error(message), precedence(the_precedence) {}
+  /// As of a StencilError: of those of all parts of a grid, the lowest is that of the whole grid.
+  std::uint64_t precedence = 0;
 };
 
 /// Marks the grid nodes inside closed surfaces of triangles, which are counter-clockwise seen from outside.
@@ -37,15 +41,22 @@ class InsideError : public std::runtime_error {
 /// makes.
 ///
 /// The cost is that of the triangles and of the rows that meet them, not of the grid.
+///
+/// It may hold a part of the grid: then the marks of the nodes there are those of the whole grid, and no rows
+/// but those of the part are looked at. Surfaces are given whole, or, where they are far from the part,
+/// without nodes and triangles. Messages name nodes by their place in the grid.
 class InsideMarks {
  public:
   /// @param threads OpenMP threads, 0: all. Marks do not depend on their number
   /// @throws std::invalid_argument if an axis has no node, or threads is negative
   explicit InsideMarks(const Grid& grid, int threads = 0);
+  /// Of a part of the grid.
+  /// @throws std::invalid_argument also if the part has no nodes or is not within the grid
+  InsideMarks(const Grid& grid, const GridPart& part, int threads = 0);
   ~InsideMarks();
 
-  /// Marks all nodes anew, by a sweep over the whole grid. Whatever it throws, the old marks and changes
-  /// stay.
+  /// Marks all nodes anew, by a sweep over the whole grid, or the part. Whatever it throws, the old marks and
+  /// changes stay.
   /// @param positions, triangles one span a surface: 3 numbers a node, 3 node numbers a triangle
   /// @throws InsideError of the first surface, and of it the first row, where something is wrong; then of the
   /// first node in two surfaces
@@ -59,11 +70,12 @@ class InsideMarks {
   void update(std::span<const std::span<const double>> positions,
               std::span<const std::span<const int>> triangles);
 
-  /// 0: outside of all; k + 1: inside surface k. One a grid node, x fastest; it stays where it is.
+  /// 0: outside of all; k + 1: inside surface k. One a node of the grid or the part, x fastest; it stays
+  /// where it is.
   std::span<const std::int32_t> marks() const;
 
   struct Change {
-    std::int64_t node;  ///< linear index
+    std::int64_t node;  ///< linear index, in the part
     std::int32_t before, now;
   };
   /// What the last mark() or update() changed, ascending by node, until the next call. Before the first call

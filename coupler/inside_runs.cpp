@@ -60,6 +60,17 @@ const InsideRun* InsideRuns::sort(int plane) {
   return before == end ? nullptr : &*before + 1;
 }
 
+void InsideRuns::cut(int plane, const Grid& grid, const GridPart& part) {
+  for (std::size_t k = plane_begin_[plane]; k < plane_begin_[plane + 1]; ++k) {
+    InsideRun& run = runs_[k];
+    const std::int64_t row = run.begin / grid.nodes[0], y = row % grid.nodes[1] - part.begin[1];
+    const std::int64_t first = row * grid.nodes[0] + part.begin[0], last = first + part.nodes[0],
+                       moved = (std::int64_t{plane} * part.nodes[1] + y) * part.nodes[0] - first;
+    run.begin = std::max(run.begin, first) + moved;
+    run.end = std::min(run.end, last) + moved;
+  }
+}
+
 AxisRange InsideRuns::planes_of(int share, int n_shares) const {
   const auto first_plane = [&](int number) {
     const std::size_t runs_before = runs_.size() * number / n_shares;

@@ -21,6 +21,8 @@ class InsideRuns {
   /// Sorts the runs of one plane.
   /// @return the first run that begins in that before it; null: there is none
   const InsideRun* sort(int plane);
+  /// Cuts the runs of one plane where the part ends; they are linear indices in the part then.
+  void cut(int plane, const Grid& grid, const GridPart& part);
 
   std::span<const InsideRun> all() const { return runs_; }
   std::span<const InsideRun> of_plane(int plane) const {

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "coupler/axis_stencil.hpp"
-#include "coupler/inside.hpp"
+#include "coupler/grid_region.hpp"
 #include "coupler/surface_check.hpp"
 
 namespace tanktread::coupler {
@@ -56,7 +56,7 @@ Box box_of(const RowSurface& surface, std::span<const double> positions) {
         std::ostringstream message;
         message << name_of(surface) << ", node " << k / 3 << ": " << axis_name[axis] << " = " << position
                 << ", must be finite and within 2^30 of the origin";
-        throw InsideError(message.str());
+        throw InsideError(message.str(), precedence_of(InsideFault::surface, surface.number));
       }
       box.least[axis] = std::min(box.least[axis], position);
       box.greatest[axis] = std::max(box.greatest[axis], position);
@@ -73,7 +73,7 @@ double wrap_of(const Grid& grid, const RowSurface& surface, const Box& box, int 
     std::ostringstream message;
     message << name_of(surface) << " spreads over " << extent << " along " << axis_name[axis]
             << ", at most two periods of " << period << " are allowed";
-    throw InsideError(message.str());
+    throw InsideError(message.str(), precedence_of(InsideFault::surface, surface.number));
   }
   return -period * std::floor(box.least[axis] / period);
 }
@@ -101,11 +101,6 @@ struct Cut {
   double x(double z) const { return between(below->x, above->x, z - below->z, above->z - below->z); }
 };
 
-int wrapped(int number, int nodes) {
-  const int remainder = number % nodes;
-  return remainder < 0 ? remainder + nodes : remainder;
-}
-
 /// @param node not wrapped
 std::string name_of_node(const Grid& grid, std::array<int, 3> node) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -113,6 +108,30 @@ std::string name_of_node(const Grid& grid, std::array<int, 3> node) {
   }
   return "(" + std::to_string(node[0]) + ", " + std::to_string(node[1]) + ", " + std::to_string(node[2]) +
          ")";
+}
+
+/// The numbers of a range along an axis, not wrapped, that are of the part.
+std::vector<AxisRange> ranges_of_part(const Grid& grid, const GridPart& part, int axis, AxisRange range) {
+  if (!is_cut(grid, part, axis)) return {range};
+  const int period = grid.nodes[axis];
+  std::vector<AxisRange> ranges;
+  // The range of a surface begins in the grid, or right behind it.
+  for (int begin = part.begin[axis]; begin < range.end; begin += period) {
+    const AxisRange common = {std::max(range.begin, begin), std::min(range.end, begin + part.nodes[axis])};
+    if (common.begin < common.end) ranges.push_back(common);
+    if (!grid.periodic[axis]) break;
+  }
+  return ranges;
+}
+
+/// Whether the part has nodes of a range along x or, where a surface's hole may be told, the one behind it.
+bool meets(const Grid& grid, const GridPart& part, AxisRange columns) {
+  ++columns.end;
+  if (!grid.periodic[0]) {
+    const int last = grid.nodes[0] - 1;
+    columns = {std::min(columns.begin, last), std::max(std::min(columns.end, last + 1), 1)};
+  }
+  return !ranges_of_part(grid, part, 0, columns).empty();
 }
 
 bool proper(int winding_number) {
@@ -127,7 +146,7 @@ void RowSurface::take_in(const Grid& grid, int surface, std::span<const double> 
   triangles = the_triangles;
   require_surface(positions.size(), triangles, "positions", positions.size());
   nodes.resize(positions.size() / 3);
-  rows = planes = {};
+  columns = rows = planes = {};
   if (nodes.empty()) return;
   const Box box = box_of(*this, positions);
   std::array<double, 3> wrap;
@@ -137,31 +156,44 @@ void RowSurface::take_in(const Grid& grid, int surface, std::span<const double> 
     nodes[k] = {position[0] + wrap[0], position[1] + wrap[1], position[2] + wrap[2], 0};
     nodes[k].plane = first_node_from(nodes[k].z);
   }
+  columns = range_between(grid, 0, box.least[0] + wrap[0], box.greatest[0] + wrap[0]);
   rows = range_between(grid, 1, box.least[1] + wrap[1], box.greatest[1] + wrap[1]);
   planes = range_between(grid, 2, box.least[2] + wrap[2], box.greatest[2] + wrap[2]);
 }
 
-void RowScan::find(const Grid& grid, const RowSurface& surface, AxisRange planes) {
+void add_blocks(const Grid& grid, const GridPart& part, const RowSurface& surface,
+                std::vector<RowBlock>& blocks) {
+  if (!meets(grid, part, surface.columns)) return;
+  for (const AxisRange planes : ranges_of_part(grid, part, 2, surface.planes)) {
+    for (const AxisRange rows : ranges_of_part(grid, part, 1, surface.rows))
+      blocks.push_back({&surface, rows, planes});
+  }
+}
+
+void RowScan::find(const Grid& grid, const GridPart& part, const RowBlock& block) {
   found_.clear();
   runs_.clear();
-  fault_.clear();
-  const int n_rows = surface.rows.end - surface.rows.begin;
-  cross(surface, planes);
+  fault_.reset();
+  const AxisRange rows = block.rows, planes = block.planes;
+  const int n_rows = rows.end - rows.begin;
+  cross(block);
   sort_by_row(std::size_t{1} * n_rows * (planes.end - planes.begin));
   std::size_t begin = 0;
-  while (begin < crossings_.size() && fault_.empty()) {
+  while (begin < crossings_.size() && !fault_) {
     const int row = crossings_[begin].row;
     std::size_t end = begin + 1;
     while (end < crossings_.size() && crossings_[end].row == row) ++end;
-    fill(grid, surface, {surface.rows.begin + row % n_rows, planes.begin + row / n_rows},
+    fill(grid, part, *block.surface, {rows.begin + row % n_rows, planes.begin + row / n_rows},
          std::span(crossings_).subspan(begin, end - begin));
     begin = end;
   }
 }
 
-// All crossings of the rows of the planes.
-void RowScan::cross(const RowSurface& surface, AxisRange planes) {
-  const int n_rows = surface.rows.end - surface.rows.begin;
+// All crossings of the rows of the block.
+void RowScan::cross(const RowBlock& block) {
+  const RowSurface& surface = *block.surface;
+  const AxisRange rows = block.rows, planes = block.planes;
+  const int n_rows = rows.end - rows.begin;
   for (std::size_t t = 0; t < surface.triangles.size(); t += 3) {
     const std::array<const RowSurface::Node*, 3> corners = {&surface.nodes[surface.triangles[t]],
                                                             &surface.nodes[surface.triangles[t + 1]],
@@ -169,13 +201,13 @@ void RowScan::cross(const RowSurface& surface, AxisRange planes) {
     const int a = corners[0]->plane, b = corners[1]->plane, c = corners[2]->plane;
     const int end = std::min(std::max(std::max(a, b), c), planes.end);
     for (int plane = std::max(std::min(std::min(a, b), c), planes.begin); plane < end; ++plane)
-      cross(surface, corners, plane, (plane - planes.begin) * n_rows);
+      cross(corners, plane, rows, (plane - planes.begin) * n_rows);
   }
 }
 
 // The crossings of a triangle with the rows of one plane, which has one or two corners below it.
-void RowScan::cross(const RowSurface& surface, const std::array<const RowSurface::Node*, 3>& corners,
-                    int plane, int first_row) {
+void RowScan::cross(const std::array<const RowSurface::Node*, 3>& corners, int plane, AxisRange rows,
+                    int first_row) {
   const double z = node_position(plane);
   // Without branches, of which no processor could tell the outcome: the corner that is alone on its side of
   // the plane, by which corners are above, a bit each.
@@ -195,13 +227,13 @@ void RowScan::cross(const RowSurface& surface, const std::array<const RowSurface
   const bool ascending = to_next.row < to_last.row;
   const Cut &first = ascending ? to_next : to_last, &second = ascending ? to_last : to_next;
   const double x = first.x(z), other_x = second.x(z);
-  const int end = std::min(second.row, surface.rows.end);
+  const int end = std::min(second.row, rows.end);
   // Seen along -x, with y to the right and z up, an outer side is counter-clockwise: its boundary goes up at
   // the greater y.
   const bool leaving = alone_above == ascending;
-  for (int row = std::max(first.row, surface.rows.begin); row < end; ++row) {
+  for (int row = std::max(first.row, rows.begin); row < end; ++row) {
     found_.push_back({between(x, other_x, node_position(row) - first.y, second.y - first.y),
-                      first_row + row - surface.rows.begin, leaving});
+                      first_row + row - rows.begin, leaving});
   }
 }
 
@@ -214,9 +246,11 @@ void RowScan::sort_by_row(std::size_t n_rows) {
 }
 
 // The runs between the crossings of one row.
-void RowScan::fill(const Grid& grid, const RowSurface& surface, Row row, std::span<Crossing> crossings) {
+void RowScan::fill(const Grid& grid, const GridPart& part, const RowSurface& surface, Row row,
+                   std::span<Crossing> crossings) {
   const auto refuse = [&](const std::string& what, int x) {
-    fault_ = name_of(surface) + what + " at grid node " + name_of_node(grid, {x, row.y, row.z});
+    fault_.emplace(name_of(surface) + what + " at grid node " + name_of_node(grid, {x, row.y, row.z}),
+                   precedence_of(InsideFault::row, surface.number, surface.row_number(row.y, row.z)));
   };
   std::ranges::sort(crossings, {}, &Crossing::x);
   int winding_number = 0;
@@ -238,12 +272,14 @@ void RowScan::fill(const Grid& grid, const RowSurface& surface, Row row, std::sp
       return refuse(before < 0 ? " has its inside out" : " overlaps itself", wrong.begin);
     }
     if (before == 0 && winding_number == 1) inside.begin = node;
-    if (before == 1 && winding_number == 0) add(grid, surface, row, {inside.begin, node});
+    if (before == 1 && winding_number == 0) add(grid, part, surface, row, {inside.begin, node});
   }
 }
 
-// A run of nodes along x, wrapped or cut at the walls.
-void RowScan::add(const Grid& grid, const RowSurface& surface, Row row, AxisRange nodes) {
+// A run of nodes along x, wrapped or cut at the walls. It is not cut where the part ends: runs that overlap
+// shall do so at the same node, whatever the part is.
+void RowScan::add(const Grid& grid, const GridPart& part, const RowSurface& surface, Row row,
+                  AxisRange nodes) {
   const int nx = grid.nodes[0];
   if (!grid.periodic[0]) nodes = {std::max(nodes.begin, 0), std::min(nodes.end, nx)};
   const int plane = wrapped(row.z, grid.nodes[2]);
@@ -251,7 +287,8 @@ void RowScan::add(const Grid& grid, const RowSurface& surface, Row row, AxisRang
   for (int begin = nodes.begin, length; begin < nodes.end; begin += length) {
     const int x = wrapped(begin, nx);
     length = std::min(nodes.end - begin, nx - x);
-    runs_.push_back({row_begin + x, row_begin + x + length, surface.number + 1, plane});
+    if (x + length <= part.begin[0] || x >= part.begin[0] + part.nodes[0]) continue;
+    runs_.push_back({row_begin + x, row_begin + x + length, surface.number + 1, plane - part.begin[2]});
   }
 }
 

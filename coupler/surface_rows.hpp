@@ -3,25 +3,37 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "coupler/coupler.hpp"
+#include "coupler/inside.hpp"
 
 namespace tanktread::coupler {
 
-/// Grid nodes begin .. end - 1 (linear indices) of one row.
+/// Nodes begin .. end - 1 (linear indices in the grid) of one row.
 struct InsideRun {
   std::int64_t begin, end;
   std::int32_t mark;   ///< number of the surface, plus 1
-  std::int32_t plane;  ///< z
+  std::int32_t plane;  ///< z, in the part
 };
 
 /// Numbers begin .. end - 1, of nodes along an axis; not wrapped into the grid.
 struct AxisRange {
   int begin = 0, end = 0;
 };
+
+/// What an InsideError says, in the order in which they are looked for.
+enum class InsideFault { surface, row, overlap };
+
+/// InsideError::precedence.
+/// @param number of the surface @param place its row; of an overlap, `number` is the node and this 0
+inline std::uint64_t precedence_of(InsideFault fault, std::uint64_t number, std::uint64_t place = 0) {
+  return static_cast<std::uint64_t>(fault) << 62 | (fault == InsideFault::row ? number << 38 : number) |
+         place;
+}
 
 /// A surface as seen from the rows of nodes along x.
 struct RowSurface {
@@ -37,22 +49,39 @@ struct RowSurface {
   void take_in(const Grid& grid, int surface, std::span<const double> positions,
                std::span<const int> triangles);
 
+  /// Of a row not wrapped, counted through all those of all its planes.
+  std::uint64_t row_number(int y, int z) const {
+    return std::uint64_t{1} * (z - planes.begin) * (rows.end - rows.begin) + (y - rows.begin);
+  }
+
   int number = 0;
   std::vector<Node> nodes;
   std::span<const int> triangles;
-  AxisRange rows, planes;  ///< those that may meet it: y and z; between the walls, where there are any
+  /// Nodes along x, rows and planes that may meet it: x, y and z; between the walls, where there are any.
+  AxisRange columns, rows, planes;
 };
 
-/// The runs inside a surface in some of its planes.
+/// Some neighbouring rows of a surface in some neighbouring planes.
+struct RowBlock {
+  const RowSurface* surface;
+  AxisRange rows, planes;
+};
+
+/// Adds the blocks of rows that a part has of a surface: one, but across periodic faces.
+void add_blocks(const Grid& grid, const GridPart& part, const RowSurface& surface,
+                std::vector<RowBlock>& blocks);
+
+/// The runs inside a surface in a block of its rows.
 class RowScan {
  public:
   /// Finds them anew. Rows are looked at in ascending order, up to the first that is wrong.
-  void find(const Grid& grid, const RowSurface& surface, AxisRange planes);
+  /// @param part of which the block is; runs outside of it are left out
+  void find(const Grid& grid, const GridPart& part, const RowBlock& block);
 
   /// In the order of the rows not wrapped, each within the grid.
   std::span<const InsideRun> runs() const { return runs_; }
-  /// What is wrong with the surface; empty: nothing.
-  const std::string& fault() const { return fault_; }
+  /// What is wrong with the surface, if anything is.
+  const std::optional<InsideError>& fault() const { return fault_; }
 
  private:
   /// Where a row meets the surface.
@@ -66,17 +95,17 @@ class RowScan {
     int y, z;
   };
 
-  void cross(const RowSurface& surface, AxisRange planes);
-  void cross(const RowSurface& surface, const std::array<const RowSurface::Node*, 3>& corners, int plane,
-             int first_row);
+  void cross(const RowBlock& block);
+  void cross(const std::array<const RowSurface::Node*, 3>& corners, int plane, AxisRange rows, int first_row);
   void sort_by_row(std::size_t n_rows);
-  void fill(const Grid& grid, const RowSurface& surface, Row row, std::span<Crossing> crossings);
-  void add(const Grid& grid, const RowSurface& surface, Row row, AxisRange nodes);
+  void fill(const Grid& grid, const GridPart& part, const RowSurface& surface, Row row,
+            std::span<Crossing> crossings);
+  void add(const Grid& grid, const GridPart& part, const RowSurface& surface, Row row, AxisRange nodes);
 
   std::vector<Crossing> found_, crossings_;  ///< as found, and row by row
   std::vector<std::size_t> next_in_row_;     ///< where the next crossing of each row goes to
   std::vector<InsideRun> runs_;
-  std::string fault_;
+  std::optional<InsideError> fault_;
 };
 
 }  // namespace tanktread::coupler
