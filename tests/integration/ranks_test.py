@@ -64,6 +64,13 @@ RUNS = {
         ["membrane.viscous.boussinesq_shear=5", "membrane.viscous.scheme=implicit", "coupler.keep_volume=true"], CASE, [2, "2,2,1"]),
     "several, round a periodic box": (
         ["flow.body_force=[1e-6,0,0]"], PERIODIC + SECOND, [4]),
+    "across the cuts, with other owners on the way": (
+        ["flow.wall_speed=0.05", "flow.start=developed", "flow.viscosity_ratio=2", "capsule.0.position=[7,10,11]", "run.shear_time=3",
+         "run.checkpoint_every=0.5", "output.membrane_every=1", "output.fluid_every=3", "output.energy_every=1"],
+        CASE, ["3,1,1"]),
+    "of two viscosities, implicit, several": (
+        ["membrane.viscous.boussinesq_shear=5", "membrane.viscous.scheme=implicit", "flow.viscosity_ratio=3", "run.shear_time=0.02"],
+        PERIODIC + SECOND, [3]),
     "in single precision": (["flow.storage=single", "flow.viscosity_ratio=0.5"], CASE + SECOND, [2, "1,3,1"]),
     "a red cell": (
         ["capsule.0.mesh.shape=biconcave", "membrane.bending_modulus=0.02", "membrane.global_area_modulus=1",
@@ -163,17 +170,27 @@ class Ended(OnRanks):
                 self.assertIn(word, done.stderr)
                 self.assertFalse((self.folder / "out").exists())
 
-    def test_a_breakdown_is_that_of_one_rank(self):
-        settings = ["--set", "flow.speed_limit=0.0185", "--set", "flow.start=developed"]
-        messages = []
-        for ranks in (1, 2, "2,1,3"):
-            done = self.call("run", "case.toml", "--output", f"out{ranks}", *settings, ranks=ranks)
-            self.assertEqual(done.returncode, 3, done.stderr)
-            lines = [line for line in done.stderr.splitlines() if line.startswith("tanktread: error:")]
-            self.assertEqual(len(lines), 1, done.stderr)
-            messages.append(lines[0])
-        self.assertIn("node (", messages[0])
-        self.assertEqual(messages[1:], messages[:1] * 2)
+    def test_a_run_that_goes_wrong_says_what_one_rank_says(self):
+        (self.folder / "case.toml").write_text(CASE + SECOND)
+        long = ["run.shear_time=1", "run.checkpoint_every=9", "output.energy_every=0"]
+        for settings, word in (
+            (["flow.speed_limit=0.0185", "flow.start=developed"], "fluid velocity at node ("),
+            (["flow.speed_limit=0.57", "membrane.capillary_number=0.0005"], "of capsule 1"),
+            (["capsule.0.load.force=60", "capsule.0.load.direction=[0,0,1]", "capsule.0.load.patch=0.2"], "from the wall at z = 0"),
+            (["membrane.viscous.boussinesq_shear=50", "membrane.viscous.scheme=implicit", "coupler.implicit_tolerance=1e-13",
+              "coupler.implicit_iterations=2"], "implicit viscous forces were not found"),
+        ):
+            messages = []
+            for ranks in (1, 2, "2,1,3"):
+                assignments = [part for setting in settings + long for part in ("--set", setting)]
+                done = self.call("run", "case.toml", "--output", "out", "--force", *assignments, ranks=ranks)
+                self.assertEqual(done.returncode, 3, done.stderr)
+                lines = [line for line in done.stderr.splitlines() if line.startswith("tanktread: error:")]
+                self.assertEqual(len(lines), 1, done.stderr)
+                messages.append(lines[0])
+            with self.subTest(word):
+                self.assertIn(word, messages[0])
+                self.assertEqual(messages[1:], messages[:1] * 2)
 
     def test_a_signal_to_the_first_rank_ends_the_run_with_a_checkpoint(self):
         child = self.started(2)
