@@ -1,6 +1,7 @@
 #include "driver/system/run_ranks.hpp"
 
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <cstdint>
 #include <stdexcept>
@@ -17,6 +18,16 @@ constexpr ranks::Triple least_nodes = {3, 1, 1};
 
 std::string text(const ranks::Triple& numbers) {
   return fmt::format("{} x {} x {}", numbers[0], numbers[1], numbers[2]);
+}
+
+/// Threads that share too few processors wait for each other at every turn.
+std::string binding_warning(int threads) {
+  const int n_processors = omp_get_num_procs();  // that this process may run on
+  if (threads <= n_processors) return "";
+  return fmt::format(
+      "warning: the {} threads of a rank have {} to run on; if mpirun has bound them, start it with "
+      "--bind-to none, or --map-by ppr:RANKS:socket:pe={}, else set run.threads (OMP_NUM_THREADS)\n",
+      threads, n_processors == 1 ? "one processor" : fmt::format("{} processors", n_processors), threads);
 }
 
 }  // namespace
@@ -60,8 +71,10 @@ std::string ranks_line(const Case& the_case) {
   const auto division = division_of(the_case, world ? world->size() : 1);
   if (world == nullptr) return "";
   const auto block = division.block(0);
-  return fmt::format("on {} ranks ({}): {} parts, the first of {} nodes\n", world->size(),
-                     ranks::World::library(), text(division.parts()), text(block.n));
+  const int threads = the_case.run.threads > 0 ? the_case.run.threads : omp_get_max_threads();
+  return fmt::format("on {} ranks ({}) of {} thread{}: {} parts, the first of {} nodes\n{}", world->size(),
+                     ranks::World::library(), threads, threads == 1 ? "" : "s", text(division.parts()),
+                     text(block.n), binding_warning(threads));
 }
 
 }  // namespace tanktread::driver

@@ -19,8 +19,8 @@ const ranks::World* other_ranks();
 /// @throws InputError naming run.ranks or the number of ranks
 ranks::Division division_of(const Case& the_case, int n_ranks);
 
-/// What a run says of them: "on 2 ranks (Open MPI v4.1.4): 1 x 1 x 2 parts, the first of 60 x 60 x 30 nodes";
-/// "" on one. @throws InputError if run.ranks is for another number of them
+/// What a run says of them: "on 2 ranks (Open MPI v4.1.4) of 4 threads: 1 x 1 x 2 parts, the first of 60 x 60
+/// x 30 nodes", and a warning if these threads have fewer processors than they are; "" on one. @throws InputError if run.ranks is for another number of them
 std::string ranks_line(const Case& the_case);
 
 }  // namespace tanktread::driver

@@ -200,6 +200,20 @@ class Ended(OnRanks):
         self.assertEqual(self.ranks_of(child), [])
         self.assertIn("stopped by a signal", (self.folder / "log").read_text())
 
+    def test_threads_that_share_a_processor_are_told_of(self):
+        library = subprocess.run([self.mpirun, "--version"], capture_output=True, text=True).stdout
+        if "Open MPI" not in library:
+            self.skipTest("binds by an environment variable of Open MPI")
+        for policy, threads, warned in (("core", "2", True), ("core", "1", False), ("none", "1", False)):
+            environment = ENVIRONMENT | {"OMPI_MCA_hwloc_base_binding_policy": policy, "OMP_NUM_THREADS": threads}
+            done = subprocess.run(
+                [self.mpirun, "-n", "2", "--bind-to", policy, self.program, "run", "case.toml", "--output", "out", "--force",
+                 "--shear-time", "0.01"],
+                cwd=self.folder, env=environment, capture_output=True, text=True, timeout=120)
+            with self.subTest(policy, threads=threads):
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual("warning: the 2 threads of a rank have one processor to run on" in done.stdout, warned, done.stdout)
+
     def test_commands_of_the_first_rank_alone(self):
         """Under mpirun other commands are done once; a record is that of one rank; plan asks for no number of ranks."""
         self.run_well("plan", "case.toml", "--set", "run.ranks=[1,1,3]")
