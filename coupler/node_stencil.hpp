@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "coupler/products.hpp"
 #include "coupler/row.hpp"
 #include "coupler/stencils.hpp"
 
@@ -82,7 +83,7 @@ class NodeStencil {
     for (int component = 0; component < 3; ++component) {
       double total = 0.0;
 #pragma GCC unroll 8
-      for (int kx = 0; kx < width; ++kx) total += x_[kx] * sums[3 * kx + component];
+      for (int kx = 0; kx < width; ++kx) total = multiply_add(x_[kx], sums[3 * kx + component], total);
       result[component] = total;
     }
   }

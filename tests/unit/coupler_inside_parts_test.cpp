@@ -102,6 +102,7 @@ TEST(InsideParts, HaveTheMarksAndChangesOfTheWhole) {
   for (const Grid& grid : grids_of(nodes_of_box)) {
     for (const auto& division : divisions) {
       for (const int threads : {1, 3}) {
+        if (threads > 1 && division[2] == 1) continue;  // one kind of cut is enough
         InsideMarks whole(grid, 1);
         Parts parts(grid, division, threads);
         for (int step = 0; step < 6; ++step) {
@@ -159,7 +160,7 @@ TEST(InsideParts, SayWhatTheWholeSays) {
     auto surfaces = good;
     spoil(surfaces, generator);
     InsideMarks whole(grid, 1);
-    Parts parts(grid, division, 1 + static_cast<int>(seed % 3));
+    Parts parts(grid, division, seed % 20 == 0 ? 3 : 1);
     for (const bool anew : {true, false}) {
       ASSERT_EQ(taken_in(whole, good, anew), "");
       ASSERT_EQ(parts.take_in(good, anew), "");

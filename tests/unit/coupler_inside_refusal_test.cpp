@@ -143,7 +143,7 @@ TEST(InsideRefusal, SizesThatDoNotFit) {
   EXPECT_THROW(inside.mark({&positions, 1}, {}), std::invalid_argument);
   EXPECT_THROW(inside.update({}, {&triangles, 1}), std::invalid_argument);
   EXPECT_THROW(InsideMarks(grid, -1), std::invalid_argument);
-  EXPECT_THROW(InsideMarks({{12, 0, 14}, {true, true, true}}), std::invalid_argument);
+  EXPECT_THROW(InsideMarks(Grid{{12, 0, 14}, {true, true, true}}), std::invalid_argument);
   EXPECT_TRUE(inside.changes().empty());
   mark(positions, triangles);
   EXPECT_EQ(number_inside({inside.marks().begin(), inside.marks().end()}), 5 * 4 * 3);
