@@ -19,36 +19,43 @@ void ask_for_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::siz
 
 }  // namespace
 
+LatticeLayout layout_of(const PartBorder& border, int bytes_of_number) {
+  const std::int64_t line = cache_line_bytes / bytes_of_number;  // numbers of a cache line, some packs
+  const auto& n = border.n();
+  LatticeLayout layout;
+  // A halo along x has a line at each end, so that rows begin at a line. The last pack may reach into it.
+  layout.lead = border.halo(0) * line;
+  layout.row_stride = layout.lead + (n[0] + line - 1) / line * line + layout.lead;
+  layout.rows_a_layer = n[1] + 2 * border.halo(1);
+  // The 19 planes are walked side by side. Were they a multiple of 4096 bytes apart, all would fall in the
+  // same few sets of the first-level cache; were they little more than a power of two apart, in the same few
+  // banks of the memory (at 128^3 a fifth slower). 91 lines more than a multiple of 16 KiB keep them apart in
+  // both.
+  std::int64_t lines = layout.rows_a_layer * (n[2] + 2 * border.halo(2)) * layout.row_stride / line;
+  lines += (91 - lines % 256 + 256) % 256;
+  layout.plane_stride = lines * line;
+  return layout;
+}
+
 template <typename Real>
 PopulationLattice<Real>::PopulationLattice(const GridShape& box, const std::optional<WallPair>& walls,
                                            const GridPart& part)
-    : box_{box.nx, box.ny, box.nz},
-      walls_(walls),
-      part_(part),
-      halo_{part.shape.nx < box.nx, part.shape.ny < box.ny, part.shape.nz < box.nz} {
+    : walls_(walls), shape_(part.shape), border_(box, walls, part) {
   allocate();
   if (walls_) set_wall_gains();
 }
 
 template <typename Real>
 void PopulationLattice<Real>::allocate() {
-  constexpr std::int64_t line = cache_line_bytes / sizeof(Real);  // numbers of a cache line, some packs
-  const GridShape& shape = part_.shape;
-  // A halo along x has a line at each end, so that rows begin at a line. The last pack may reach into it.
-  const std::int64_t lead = halo_[0] * line;
-  row_stride_ = lead + (shape.nx + line - 1) / line * line + lead;
-  rows_a_layer_ = shape.ny + 2 * halo_[1];
-  // The 19 planes are walked side by side. Were they a multiple of 4096 bytes apart, all would fall in the
-  // same few sets of the first-level cache; were they little more than a power of two apart, in the same few
-  // banks of the memory (at 128^3 a fifth slower). 91 lines more than a multiple of 16 KiB keep them apart in
-  // both.
-  std::int64_t lines = rows_a_layer_ * (shape.nz + 2 * halo_[2]) * row_stride_ / line;
-  lines += (91 - lines % 256 + 256) % 256;
-  plane_stride_ = lines * line;
-  const std::size_t n_bytes = sizeof(Real) * plane_stride_ * d3q19::n_directions;
+  const auto layout = layout_of(border_, sizeof(Real));
+  rows_a_layer_ = layout.rows_a_layer;
+  row_stride_ = layout.row_stride;
+  plane_stride_ = layout.plane_stride;
+  const std::size_t n_bytes = sizeof(Real) * layout.n_numbers();
   planes_.reset(static_cast<Real*>(::operator new[](n_bytes, huge_page)));
   ask_for_huge_pages(planes_.get(), n_bytes);
-  first_row_ = planes_.get() + (halo_[2] * rows_a_layer_ + halo_[1]) * row_stride_ + lead;
+  first_row_ =
+      planes_.get() + (border_.halo(2) * rows_a_layer_ + border_.halo(1)) * row_stride_ + layout.lead;
 }
 
 template <typename Real>
@@ -64,31 +71,18 @@ void PopulationLattice<Real>::set_wall_gains() {
 }
 
 template <typename Real>
-bool PopulationLattice<Real>::has_neighbour(const std::array<int, 3>& direction) const {
-  const std::array<int, 3> n = {shape().nx, shape().ny, shape().nz};
-  bool other = false;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (direction[axis] == 0) continue;
-    if (!is_cut(axis)) return false;
-    const int behind = direction[axis] < 0 ? part_.begin[axis] - 1 : part_.begin[axis] + n[axis];
-    if (walls_ && walls_->axis == axis && (behind < 0 || behind >= box_[axis])) return false;
-    other = true;
-  }
-  return other;
-}
-
-template <typename Real>
 bool PopulationLattice<Real>::from_wall(int direction, int x, int y, int z) const {
   if (!walls_) return false;
   const int axis = walls_->axis, position = axis == 0 ? x : (axis == 1 ? y : z);
-  const int source = part_.begin[axis] + position - d3q19::velocity[direction][axis];
-  return source < 0 || source >= box_[axis];
+  const int source = border_.begin()[axis] + position - d3q19::velocity[direction][axis];
+  return source < 0 || source >= border_.box()[axis];
 }
 
 template <typename Real>
 int PopulationLattice<Real>::in_memory(int position, int axis) const {
   if (is_cut(axis)) return position;
-  return position < 0 ? position + box_[axis] : (position >= box_[axis] ? position - box_[axis] : position);
+  const int n = border_.box()[axis];
+  return position < 0 ? position + n : (position >= n ? position - n : position);
 }
 
 template <typename Real>

@@ -11,6 +11,7 @@
 #include "fluid/fluid.hpp"
 #include "fluid/halo.hpp"
 #include "fluid/lattice_boltzmann.hpp"
+#include "fluid/part_border.hpp"
 
 namespace tanktread::fluid {
 
@@ -23,6 +24,17 @@ namespace tanktread::fluid {
 /// A link through a wall keeps the node's own place, f[i](x), in both: that is half-way bounce-back at rest.
 enum class Turn { local, streaming };
 
+/// How the 19 planes of a lattice lie in memory, in numbers.
+struct LatticeLayout {
+  std::int64_t lead;          ///< before the first node of a row
+  std::int64_t row_stride;    ///< from row to row along y
+  std::int64_t rows_a_layer;  ///< along z from layer to layer
+  std::int64_t plane_stride;  ///< from direction to direction
+
+  std::int64_t n_numbers() const { return plane_stride * d3q19::n_directions; }
+};
+LatticeLayout layout_of(const PartBorder& border, int bytes_of_number);
+
 /// One array of 19 planes; each plane holds rows along x, padded to whole cache lines (what the padding holds
 /// is of no meaning). Along an axis that is cut there is a halo, one node more at each end: x, y, z of -1 or
 /// n (PopulationHalo). Nodes are counted from the first of the part. @tparam Real double or float
@@ -33,21 +45,17 @@ class PopulationLattice {
   PopulationLattice(const GridShape& box, const std::optional<WallPair>& walls, const GridPart& part);
 
   /// Of the part, without the halo.
-  const GridShape& shape() const { return part_.shape; }
+  const GridShape& shape() const { return shape_; }
+
+  /// Where the part ends.
+  const PartBorder& border() const { return border_; }
 
   /// Start of the row (y, z) of plane i.
   Real* row(int direction, int y, int z) const {
     return first_row_ + direction * plane_stride_ + (std::int64_t{z} * rows_a_layer_ + y) * row_stride_;
   }
 
-  /// The part does not reach from end to end of the box along an axis.
-  bool is_cut(int axis) const { return halo_[axis] != 0; }
-
-  /// What leaves the part at one end of an axis comes in at its other end.
-  bool wraps(int axis) const { return !is_cut(axis) && !(walls_ && walls_->axis == axis); }
-
-  /// Whether the box goes on behind the cuts in a direction (-1, 0 or 1 along x, y, z).
-  bool has_neighbour(const std::array<int, 3>& direction) const;
+  bool is_cut(int axis) const { return border_.is_cut(axis); }
 
   /// Address of slot (i, x) for x = 0 .. nx-1 of row (y, z), as if the row went on at both ends: right for
   /// every x at which x - c_i does not leave the row; elsewhere use slot().
@@ -82,10 +90,9 @@ class PopulationLattice {
   /// Where the nodes at `position` along y or z lie in memory.
   int in_memory(int position, int axis) const;
 
-  std::array<int, 3> box_;  ///< nodes along each axis
   std::optional<WallPair> walls_;
-  GridPart part_;
-  std::array<int, 3> halo_;  ///< nodes that the halo has at each end: 0 or 1
+  GridShape shape_;
+  PartBorder border_;
   std::int64_t rows_a_layer_ = 0, row_stride_ = 0, plane_stride_ = 0;
   std::unique_ptr<Real[], Release> planes_;
   Real* first_row_ = nullptr;  ///< of plane 0

@@ -19,14 +19,25 @@ int most_parts(const Box& box, int axis) {
   return std::max(1, box.n[axis] / std::max(1, box.least[axis]));
 }
 
+/// The divisors of n that are at most `most`, in order.
+std::vector<int> divisors(int n, int most) {
+  std::vector<int> small, large;
+  for (int k = 1; k <= n / k; ++k) {
+    if (n % k != 0) continue;
+    if (k <= most) small.push_back(k);
+    if (n / k != k && n / k <= most) large.push_back(n / k);
+  }
+  small.insert(small.end(), large.rbegin(), large.rend());
+  return small;
+}
+
 /// All ways to cut the box into `n_ranks` parts, with few along x first, then along y.
 std::vector<Triple> ways(const Box& box, int n_ranks) {
   std::vector<Triple> found;
-  for (int x = 1; x <= std::min(n_ranks, most_parts(box, 0)); ++x) {
-    if (n_ranks % x != 0) continue;
+  for (const int x : divisors(n_ranks, most_parts(box, 0))) {
     const int layer = n_ranks / x;
-    for (int y = 1; y <= std::min(layer, most_parts(box, 1)); ++y)
-      if (layer % y == 0 && layer / y <= most_parts(box, 2)) found.push_back({x, y, layer / y});
+    for (const int y : divisors(layer, most_parts(box, 1)))
+      if (layer / y <= most_parts(box, 2)) found.push_back({x, y, layer / y});
   }
   return found;
 }
@@ -98,7 +109,9 @@ Division least_surface(const Box& box, int n_ranks) {
     if (!best || division.cut_surface() < best->cut_surface()) best = division;
   }
   if (best) return *best;
-  int fewer = std::max(0, n_ranks - 1);
+  // No number beyond the most parts along each axis can be, and that one can.
+  const std::int64_t most = std::int64_t{most_parts(box, 0)} * most_parts(box, 1) * most_parts(box, 2);
+  int fewer = static_cast<int>(std::clamp<std::int64_t>(n_ranks - std::int64_t{1}, 0, most));
   while (fewer > 1 && ways(box, fewer).empty()) --fewer;
   throw std::invalid_argument("a box of " + text(box.n) + " nodes cannot be divided among " +
                               std::to_string(n_ranks) + " ranks, with " + text(box.least) +

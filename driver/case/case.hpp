@@ -155,10 +155,12 @@ struct RunCase {
   double shear_time = 10.0;
   int threads = 0;
   std::array<int, 3> ranks = {0, 0, 0};  ///< parts along x, y, z; 0 0 0: with the least surface
-  double checkpoint_every = 1.0;   ///< shear times
-  double checkpoint_minutes = 0;   ///< of wall clock; 0: no matter
-  double command_time_limit = 60;  ///< seconds a program may take for an answer
-  std::string command_directory;   ///< of the packets for programs, absolute; "": a fresh one
+  double message_latency_us = 2;         ///< of the network, for `plan --ranks`
+  double message_bandwidth_GB_s = 10;    ///< likewise, each way
+  double checkpoint_every = 1.0;         ///< shear times
+  double checkpoint_minutes = 0;         ///< of wall clock; 0: no matter
+  double command_time_limit = 60;        ///< seconds a program may take for an answer
+  std::string command_directory;         ///< of the packets for programs, absolute; "": a fresh one
 
   bool operator==(const RunCase&) const = default;
 };

@@ -80,12 +80,25 @@ std::vector<Key> coupler_run_output_keys() {
           .to(1'000'000)
           .preset("[0, 0, 0]: those with the least surface between them")
           .free_on_resume(),
+      key<InCase<&Case::run, &RunCase::message_latency_us>>(
+          "run.message_latency_us", "us",
+          "what a message between two ranks takes beside its bytes; for plan --ranks alone")
+          .from(0)
+          .to(1e6)
+          .free_on_resume(),
+      key<InCase<&Case::run, &RunCase::message_bandwidth_GB_s>>(
+          "run.message_bandwidth_GB_s", "GB/s",
+          "of one rank to its neighbours, and as much from them; for plan --ranks alone")
+          .from(1e-6)
+          .to(1e6)
+          .free_on_resume(),
       key<InCase<&Case::run, &RunCase::checkpoint_every>>("run.checkpoint_every", "shear times",
                                                           "between checkpoints; the last two are kept")
           .above(0)
           .free_on_resume(),
       key<InCase<&Case::run, &RunCase::checkpoint_minutes>>(
-          "run.checkpoint_minutes", "min", "of wall clock, the most between checkpoints; 0: only by shear time")
+          "run.checkpoint_minutes", "min",
+          "of wall clock, the most between checkpoints; 0: only by shear time")
           .from(0)
           .free_on_resume(),
       key<InCase<&Case::run, &RunCase::command_time_limit>>(

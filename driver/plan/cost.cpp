@@ -61,21 +61,24 @@ double Cost::write_seconds() const {
   return sum_over(files, [](const FilesCost& kind) { return kind.n_written * kind.seconds; });
 }
 
-double memory_needed_bytes(const Case& the_case, const std::vector<membrane::TriangleMesh>& meshes) {
-  // Program and libraries; a membrane node with its two triangles, at work and in a file; their history.
-  // An implicit viscosity has its operator twice (now, and the step before), and the vectors of its solution.
-  constexpr double program = 20e6, node = 1500, node_history = 500, node_operator = 2300;
-  double bytes = program + fluid_memory_bytes(the_case.flow);
-  // A mark, a viscosity, and that in a state.
-  if (has_contrast(the_case)) bytes += (4 + 8 + 8) * n_nodes(the_case.flow.box);
+double membrane_memory_bytes(const Case& the_case, std::size_t capsule, double n_nodes) {
+  // A membrane node with its two triangles, at work and in a file; their history. An implicit viscosity has
+  // its operator twice (now, and the step before), and the vectors of its solution.
+  constexpr double node = 1500, node_history = 500, node_operator = 2300;
+  const auto& scheme = the_case.capsules[capsule].membrane.viscous.scheme;
+  const double history = scheme == "none" ? 0 : scheme == implicit_scheme ? node_operator : node_history;
   // Slopes and normals of two sets of stencils.
   const double width = std::ceil(2 * kernel_half_width(the_case.coupler.kernel).value_or(0));
   const double dipole = has_contrast(the_case) && the_case.coupler.shear_dipole ? 2 * (3 * width + 3) * 8 : 0;
-  for (std::size_t k = 0; k < meshes.size(); ++k) {
-    const auto& scheme = the_case.capsules[k].membrane.viscous.scheme;
-    const double history = scheme == "none" ? 0 : scheme == implicit_scheme ? node_operator : node_history;
-    bytes += (node + history + dipole) * static_cast<double>(meshes[k].points.cols());
-  }
+  return (node + history + dipole) * n_nodes;
+}
+
+double memory_needed_bytes(const Case& the_case, const std::vector<membrane::TriangleMesh>& meshes) {
+  double bytes = program_memory_bytes + fluid_memory_bytes(the_case.flow);
+  // A mark, a viscosity, and that in a state.
+  if (has_contrast(the_case)) bytes += (4 + 8 + 8) * n_nodes(the_case.flow.box);
+  for (std::size_t k = 0; k < meshes.size(); ++k)
+    bytes += membrane_memory_bytes(the_case, k, static_cast<double>(meshes[k].points.cols()));
   return bytes;
 }
 
@@ -127,6 +130,8 @@ Cost predict_cost(const Case& the_case, const Parameters& parameters,
        probe.membrane_file_seconds + probe.grid_seconds_per_byte * lattice_bytes},
   };
   cost.mlups = probe.mlups;
+  cost.fluid_node_seconds = probe.fluid_node_seconds;
+  cost.membrane_node_seconds = probe.membrane_node_seconds;
   cost.breakdown = probe.breakdown;
   if (probe.mlups > 0)
     cost.step_seconds = 1e-6 * static_cast<double>(last_step) * sizes.grid_nodes / probe.mlups;

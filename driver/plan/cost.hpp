@@ -27,12 +27,20 @@ struct Cost {
   std::vector<FilesCost> files;
   double mlups = 0;         ///< million node updates a second; 0: not measured
   double step_seconds = 0;  ///< of all steps
-  std::string breakdown;    ///< what ended the probe; "": nothing did
+  double fluid_node_seconds = 0, membrane_node_seconds = 0;  ///< as in Probe
+  std::string breakdown;                                     ///< what ended the probe; "": nothing did
 
   double disk_bytes() const;       ///< at the end
   double disk_peak_bytes() const;  ///< while the last checkpoint is written beside those that are kept
   double write_seconds() const;    ///< of all files and rows
 };
+
+/// Memory of program and libraries.
+inline constexpr double program_memory_bytes = 20e6;
+
+/// Memory of the membrane of a capsule with so many nodes: with its triangles, at work and in a file, and
+/// their history.
+double membrane_memory_bytes(const Case& the_case, std::size_t capsule, double n_nodes);
 
 /// Memory at the peak of a run, within some 15 % where it is over 20 MB (measured for boxes of 24^3 to 100^3
 /// and meshes of level 2 to 7).

@@ -145,7 +145,8 @@ void put_cost(EchoTable& table, const Cost& cost, bool with_program) {
   table.row("run time", duration_text(cost.step_seconds + writing), "",
             fmt::format("steps {}, writing {}", duration_text(cost.step_seconds),
                         writing > 0 ? duration_text(writing) : "not measured"));
-  table.row("speed", fmt::format("{:.1f} MLUPS", cost.mlups), "", "measured now, as the time to write");
+  table.row("speed", fmt::format("{:.1f} MLUPS", cost.mlups), "",
+            writing > 0 ? "measured now, as the time to write" : "measured now");
 }
 
 }  // namespace

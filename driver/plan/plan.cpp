@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "driver/case/case_programs.hpp"
+#include "driver/plan/sample.hpp"
 #include "driver/plan/warnings.hpp"
 #include "driver/program/memory.hpp"
 #include "driver/system/capsule_shape.hpp"
@@ -20,6 +21,15 @@ void require_memory_for(const Case& the_case, const std::vector<membrane::Triang
                  fmt::format("{}: flow.box = [{}, {}, {}]", the_case.file.string(), box[0], box[1], box[2]));
 }
 
+/// Too large to be tried as a whole where a part of it is meant.
+bool is_large(const Case& the_case, const std::vector<membrane::TriangleMesh>& meshes, double held_bytes) {
+  constexpr double many_nodes = 256.0 * 256 * 256;
+  double n_nodes = 1;
+  for (const int n : the_case.flow.box) n_nodes *= n;
+  return n_nodes > many_nodes ||
+         memory_needed_bytes(the_case, meshes) - held_bytes > available_memory_bytes();
+}
+
 /// The shapes, and the hashes of the files that they are made of, so that an echo of the case holds them.
 void make_shapes(Plan& plan) {
   for (std::size_t k = 0; k < plan.the_case.capsules.size(); ++k) {
@@ -33,7 +43,7 @@ void make_shapes(Plan& plan) {
 
 }  // namespace
 
-Plan make_plan(const Case& the_case, MembraneShapes shapes, double held_bytes) {
+Plan make_plan(const Case& the_case, MembraneShapes shapes, double held_bytes, Trial trial) {
   Plan plan;
   plan.the_case = the_case;
   plan.parameters = parameters(the_case);
@@ -48,13 +58,20 @@ Plan make_plan(const Case& the_case, MembraneShapes shapes, double held_bytes) {
   const auto numbers = shape_numbers(plan.shapes);
   std::vector<double> mean_edges;
   for (const auto& shape : numbers) mean_edges.push_back(shape.mean_edge);
-  require_memory_for(the_case, meshes, held_bytes);
+  const bool as_sample = trial == Trial::sample && is_large(the_case, meshes, held_bytes);
+  if (!as_sample) require_memory_for(the_case, meshes, held_bytes);
   last_step_of(the_case, plan.parameters);  // which there may not be
   // A program of the user's is not tried: a run starts it once.
-  const auto probe = has_program(the_case) ? Probe() : try_case(the_case, plan.parameters, plan.shapes);
+  const auto probe = has_program(the_case) ? Probe()
+                     : as_sample           ? try_sample(the_case, plan.parameters, meshes)
+                                           : try_case(the_case, plan.parameters, plan.shapes);
   plan.cost = predict_cost(the_case, plan.parameters, meshes, probe);
   auto warning_lines = warnings(the_case, plan.parameters, mean_edges, Placement(the_case, meshes));
   warning_lines.insert(warning_lines.begin(), remarks.begin(), remarks.end());
+  if (as_sample) {
+    warning_lines.push_back(
+        "the box is large: its speed is concluded from a sample, a smaller box with one capsule");
+  }
   if (!probe.breakdown.empty()) {
     warning_lines.push_back("the first steps of the case, tried now, break down: " + probe.breakdown);
   }

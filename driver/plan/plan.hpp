@@ -20,11 +20,19 @@ struct Plan {
   std::string echo;  ///< the text for the user
 };
 
+/// What is tried of a large case.
+enum class Trial {
+  whole,   ///< all of it; a box that memory does not hold here is refused
+  sample,  ///< a sample (sample.hpp) of a box that memory does not hold, or of over 16 million nodes: for
+           ///< many ranks, each of which has a part
+};
+
 /// Works a case out. Its speed on this machine is measured by a probe: the case itself, for about a second,
 /// or a tenth of the run if that is less, and a file of each kind (try_case()).
 /// @param shapes of the capsules if they are known (a resumed run), else they are made
 /// @param held_bytes memory that the caller has now and gives back before the run (a state to resume from)
 /// @throws InputError, also for a box that memory cannot hold, before it is tried
-Plan make_plan(const Case& the_case, MembraneShapes shapes = {}, double held_bytes = 0);
+Plan make_plan(const Case& the_case, MembraneShapes shapes = {}, double held_bytes = 0,
+               Trial trial = Trial::whole);
 
 }  // namespace tanktread::driver

@@ -28,18 +28,31 @@ double seconds_of(const Work& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-double measure_speed(System& system, std::int64_t last_step) {
+std::int64_t membrane_nodes_of(const System& system) {
+  std::int64_t n = 0;
+  for (const auto& velocity : system.node_velocity) n += velocity.cols();
+  return n;
+}
+
+void measure_speed(System& system, std::int64_t last_step, Probe& probe) {
   constexpr double probe_seconds = 1.0;
   constexpr int n_warm_up = 2, n_least = 3;
   const auto n_enough = std::max<std::int64_t>(n_least, last_step / 10);
   for (int k = 0; k < n_warm_up; ++k) advance(system);
+  const double fluid_before = system.seconds.fluid;
   double seconds = 0;
   std::int64_t n_steps = 0;
   while (n_steps < n_least || (seconds < probe_seconds && n_steps < n_enough)) {
     seconds += seconds_of([&] { advance(system); });
     ++n_steps;
   }
-  return 1e-6 * static_cast<double>(n_steps) * static_cast<double>(system.fluid->shape().size()) / seconds;
+  const auto steps = static_cast<double>(n_steps);
+  const double node_steps = steps * static_cast<double>(system.fluid->shape().size());
+  const double fluid_seconds = system.seconds.fluid - fluid_before;
+  probe.mlups = 1e-6 * node_steps / seconds;
+  probe.fluid_node_seconds = fluid_seconds / node_steps;
+  if (const auto n_nodes = membrane_nodes_of(system); n_nodes > 0)
+    probe.membrane_node_seconds = (seconds - fluid_seconds) / (steps * static_cast<double>(n_nodes));
 }
 
 /// A folder of its own among the temporary files, removed with what it holds.
@@ -104,7 +117,7 @@ Probe try_case(const Case& the_case, const Parameters& parameters, const Membran
   Probe probe;
   try {
     auto system = make_system(the_case, parameters, shapes);
-    probe.mlups = measure_speed(system, last_step_of(the_case, parameters));
+    measure_speed(system, last_step_of(the_case, parameters), probe);
     measure_rows(system, the_case, probe);
     measure_writing(system, the_case, probe);
   } catch (const RunError& error) {

@@ -11,6 +11,8 @@ namespace tanktread::driver {
 
 struct Probe {
   double mlups = 0;                  ///< million node updates a second of the first steps; 0: they broke down
+  double fluid_node_seconds = 0;     ///< that the fluid's own step takes a node
+  double membrane_node_seconds = 0;  ///< that the rest of a step (membranes, coupler) takes a membrane node
   std::string breakdown;             ///< with these words; "" if they did not
   double observables_seconds = 0;    ///< to find the rows of one time of observables.csv; 0: not measured
   double measures_seconds = 0;       ///< likewise of measures.csv

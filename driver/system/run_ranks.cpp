@@ -40,10 +40,15 @@ const ranks::World* other_ranks() {
   return all_ranks != nullptr && all_ranks->size() > 1 ? all_ranks : nullptr;
 }
 
-ranks::Division division_of(const Case& the_case, int n_ranks) {
-  const auto& wanted = the_case.run.ranks;
+ranks::Box box_of_ranks(const Case& the_case) {
   ranks::Box box{the_case.flow.box, {true, true, true}, least_nodes};
   if (the_case.flow.kind != "periodic") box.periodic[the_case.flow.wall_axis] = false;
+  return box;
+}
+
+ranks::Division division_of(const Case& the_case, int n_ranks) {
+  const auto& wanted = the_case.run.ranks;
+  const auto box = box_of_ranks(the_case);
   const bool is_given = wanted != RunCase().ranks;
   const auto n_wanted = std::int64_t{wanted[0]} * wanted[1] * wanted[2];
   if (is_given && n_wanted == 0) {

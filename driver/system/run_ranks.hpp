@@ -15,6 +15,9 @@ void set_ranks(const ranks::World* world);
 /// As set, but null where there is one rank only.
 const ranks::World* other_ranks();
 
+/// The box of a case as it can be divided: its walls, and the nodes that the fluid needs in a part.
+ranks::Box box_of_ranks(const Case& the_case);
+
 /// How `n_ranks` ranks share the box: as run.ranks says, or with the least surface of the cuts.
 /// @throws InputError naming run.ranks or the number of ranks
 ranks::Division division_of(const Case& the_case, int n_ranks);

@@ -11,6 +11,7 @@
 namespace {
 
 using namespace tanktread::testing;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -135,6 +136,29 @@ TEST(CommandLine, APlanSaysHowLargeAStepKeepsAnAccuracy) {
     auto refused = plan;
     refused.back() = nonsense;
     EXPECT_EQ(run_program(refused).exit_code, 2) << nonsense;
+  }
+}
+
+TEST(CommandLine, APlanSaysWhatManyRanksWouldBe) {
+  const TemporaryDirectory directory;
+  const auto the_case = (directory / "case.toml").string();
+  std::ofstream(the_case) << "[flow]\nbox = [44, 44, 44]\nwall_speed = 0.01\n[[capsule]]\nradius = 7.0\n"
+                             "position = [22.0, 22.0, 22.0]\n[membrane]\ncapillary_number = 0.3\n";
+  const auto ended = run_program({"plan", the_case, "--ranks", "8"});
+  EXPECT_EQ(ended.exit_code, 0);
+  for (const char* words : {"MLUPS", "on 8 ranks, by the model of docs/many-ranks.md", "1 x 2 x 4",
+                            "44 x 22 x 11        10648 nodes", "of the first, more", "efficiency",
+                            "       2  1 x 1 x 2               42592"})
+    EXPECT_THAT(ended.output, HasSubstr(words));
+  const std::pair<const char*, const char*> refused[] = {{"0", "--ranks"},
+                                                         {"-1", "--ranks"},
+                                                         {"two", "--ranks"},
+                                                         {"100000000", "--ranks"},
+                                                         {"47", "--ranks 47: a box of 44 x 44 x 44 nodes"}};
+  for (const auto& [number, words] : refused) {
+    const auto end = run_program({"plan", the_case, "--ranks", number});
+    EXPECT_EQ(end.exit_code, 2) << number;
+    EXPECT_THAT(end.output, AllOf(HasSubstr(words), Not(HasSubstr("MLUPS"))));
   }
 }
 

@@ -59,6 +59,8 @@ TEST(CaseDifference, OnlyTheseKeysMayChangeWhenARunGoesOn) {
                                       "run.shear_time",
                                       "run.threads",
                                       "run.ranks",
+                                      "run.message_latency_us",
+                                      "run.message_bandwidth_GB_s",
                                       "run.checkpoint_every",
                                       "run.checkpoint_minutes",
                                       "run.command_time_limit",

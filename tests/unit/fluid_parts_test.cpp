@@ -4,7 +4,9 @@
 
 #include <cstddef>
 #include <deque>
+#include <iterator>
 
+#include "fluid/part_sizes.hpp"
 #include "tests/unit/fluid_parts.hpp"
 
 namespace tanktread::fluid::test {
@@ -222,6 +224,70 @@ void break_one_down(const Division& division, const LatticeBoltzmannSettings& se
 
 TEST_P(FluidParts, outlive_the_breakdown_of_one) {
   for_each_flow([](const LatticeBoltzmannSettings& settings) { break_one_down(GetParam(), settings); });
+}
+
+/// Tells what it was connected with, and carries nothing.
+class SilentExchange final : public HaloExchange {
+ public:
+  explicit SilentExchange(std::vector<HaloMessage>& connected) : connected_(connected) {}
+  void connect(std::span<const HaloMessage> messages) override {
+    connected_.assign(messages.begin(), messages.end());
+  }
+  void start() override {}
+  void finish() override {}
+
+ private:
+  std::vector<HaloMessage>& connected_;
+};
+
+// A plan knows the messages of a part without making it.
+TEST_P(FluidParts, have_the_messages_that_are_foretold) {
+  for_each_flow([](const LatticeBoltzmannSettings& settings) {
+    const Cuts& cuts = GetParam().cuts;
+    for (int number = 0; number < n_parts(cuts); ++number) {
+      SCOPED_TRACE("part " + std::to_string(number));
+      const auto part = part_of(cuts, number);
+      std::vector<HaloMessage> connected;
+      const auto fluid = make_lattice_boltzmann(settings, part, std::make_unique<SilentExchange>(connected));
+      const auto sizes = part_sizes(settings, part);
+      ASSERT_EQ(sizes.messages.size(), connected.size());
+      std::int64_t bytes = 0;
+      for (std::size_t k = 0; k < connected.size(); ++k) {
+        EXPECT_EQ(sizes.messages[k].direction, connected[k].direction);
+        EXPECT_EQ(sizes.messages[k].bytes, std::ssize(connected[k].outgoing));
+        EXPECT_EQ(sizes.messages[k].bytes, std::ssize(connected[k].incoming));
+        bytes += std::ssize(connected[k].outgoing);
+      }
+      EXPECT_EQ(sizes.message_bytes(), bytes);
+    }
+  });
+}
+
+// By hand, for a part of 16 x 4 x 3 nodes that is cut on all sides. Of the five links across a face four are
+// slanted; each leaves over one edge, whose nodes have it as one link of that edge. A row of 16 doubles are
+// two cache lines, and a line more at each end; 6 x 5 rows of four lines, and as many lines more as make 347
+// = 256 + 91 of them.
+TEST(FluidPartSizes, are_those_of_a_block) {
+  LatticeBoltzmannSettings settings;
+  settings.shape = {64, 16, 9};
+  const auto sizes = part_sizes(settings, {{16, 4, 3}, {16, 4, 3}});
+  EXPECT_EQ(sizes.nodes, 192);
+  EXPECT_EQ(sizes.halo_nodes, 18 * 6 * 5 - 192);
+  const auto face = [](int a, int b) { return 5 * a * b - 2 * a - 2 * b; };
+  const std::map<std::array<int, 3>, std::int64_t> numbers = {
+      {{1, 0, 0}, face(4, 3)}, {{0, -1, 0}, face(16, 3)}, {{0, 0, 1}, face(16, 4)},
+      {{1, 1, 0}, 3},          {{-1, 0, 1}, 4},           {{0, 1, -1}, 16}};
+  EXPECT_EQ(sizes.messages.size(), 18u);  // six faces, twelve edges
+  for (const auto& [direction, bytes] : sizes.messages) {
+    const auto found = numbers.find(direction);
+    if (found == numbers.end()) continue;
+    EXPECT_EQ(bytes, 8 * found->second) << direction[0] << direction[1] << direction[2];
+  }
+  EXPECT_EQ(sizes.message_bytes(), 8 * 2 * (face(4, 3) + face(16, 3) + face(16, 4)) + 8 * 4 * (3 + 4 + 16));
+  EXPECT_EQ(sizes.population_bytes, 19 * 347 * 64);
+  settings.storage = Storage::single_precision;
+  EXPECT_EQ(part_sizes(settings, {{16, 4, 3}, {16, 4, 3}}).message_bytes(), sizes.message_bytes() / 2);
+  EXPECT_THROW(part_sizes(settings, {{16, 4, 3}, {2, 4, 3}}), std::invalid_argument);
 }
 
 class FluidPartSettings : public testing::Test {

@@ -2,7 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
+#include <limits>
+#include <numeric>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -122,25 +126,35 @@ TEST_P(RanksLeastSurface, is_found) {
   EXPECT_EQ(least_surface(box, n_ranks).parts(), parts);
 }
 
-// No other way to cut has less surface: all triples with the product, tried.
+/// The slow way: all triples with the product, few parts along x first, then along y.
+std::optional<Triple> least_of_all(const Box& box, int n_ranks) {
+  std::optional<Triple> best;
+  std::int64_t least = 0;
+  for (int x = 1; x <= std::min(n_ranks, box.n[0] / box.least[0]); ++x)
+    for (int y = 1; y <= std::min(n_ranks / x, box.n[1] / box.least[1]); ++y) {
+      const int z = n_ranks / x / y;
+      if (x * y * z != n_ranks || z > box.n[2] / box.least[2]) continue;
+      const auto surface = Division(box, {x, y, z}).cut_surface();
+      if (best && surface >= least) continue;
+      best = {x, y, z};
+      least = surface;
+    }
+  return best;
+}
+
+// No other way to cut has less surface, of few ranks and of many.
 TEST(RanksLeastSurfaceOfAll, is_the_least_of_all_ways) {
-  for (const Box& box :
-       {Box{{30, 40, 50}}, Box{{64, 16, 24}, channel}, Box{{12, 12, 12}, channel, {3, 4, 2}}}) {
-    for (int n_ranks = 1; n_ranks <= 24; ++n_ranks) {
-      std::int64_t least = -1;
-      for (int x = 1; x <= n_ranks; ++x)
-        for (int y = 1; x * y <= n_ranks; ++y)
-          for (int z = 1; x * y * z <= n_ranks; ++z) {
-            if (x * y * z != n_ranks || box.n[0] / x < box.least[0] || box.n[1] / y < box.least[1] ||
-                box.n[2] / z < box.least[2])
-              continue;
-            const auto surface = Division(box, {x, y, z}).cut_surface();
-            if (least < 0 || surface < least) least = surface;
-          }
-      if (least < 0) {
-        EXPECT_THROW(least_surface(box, n_ranks), std::invalid_argument);
+  std::vector<int> numbers(24);
+  std::iota(numbers.begin(), numbers.end(), 1);
+  for (const int many : {360, 1009, 4096, 46656, 65536, 99999, 100'000, 1'000'000}) numbers.push_back(many);
+  for (const Box& box : {Box{{30, 40, 50}}, Box{{64, 16, 24}, channel}, Box{{12, 12, 12}, channel, {3, 4, 2}},
+                         Box{{400, 400, 400}, channel, {3, 1, 1}}}) {
+    for (const int n_ranks : numbers) {
+      const auto least = least_of_all(box, n_ranks);
+      if (least) {
+        EXPECT_EQ(least_surface(box, n_ranks).parts(), *least) << n_ranks;
       } else {
-        EXPECT_EQ(least_surface(box, n_ranks).cut_surface(), least);
+        EXPECT_THROW(least_surface(box, n_ranks), std::invalid_argument) << n_ranks;
       }
     }
   }
@@ -169,6 +183,9 @@ TEST(RanksDivisionRefused, says_what_would_do) {
               AllOf(HasSubstr("17 ranks"), HasSubstr("; 16 would do")));
   EXPECT_THAT(refusal_of([&] { least_surface(box, 32); }), HasSubstr("; 16 would do"));
   EXPECT_THAT(refusal_of([&] { least_surface(box, 0); }), HasSubstr("0 ranks"));
+  // At once, not by trying two thousand million numbers.
+  EXPECT_THAT(refusal_of([&] { least_surface(box, std::numeric_limits<int>::max()); }),
+              HasSubstr("; 16 would do"));
 }
 
 }  // namespace
