@@ -121,7 +121,7 @@ Announced announced(const RankSubject& subject, const ranks::Division& division)
 TEST(RankPlan, HasTheMessagesOfRealParts) {
   for (const auto& the_case : {parse(least_case), parse(droplet_case, {"flow.storage=single"})}) {
     const auto subject = subject_of(the_case);
-    for (const ranks::Triple& parts : {ranks::Triple{1, 1, 2}, {1, 3, 5}, {5, 1, 1}, {3, 4, 3}}) {
+    for (const ranks::Triple& parts : {ranks::Triple{1, 1, 2}, {1, 1, 4}, {1, 3, 5}, {5, 1, 1}, {3, 4, 3}}) {
       SCOPED_TRACE(::testing::PrintToString(parts));
       const ranks::Division division(subject.box, parts);
       const auto plan = rank_plan(subject, division, some_model());
