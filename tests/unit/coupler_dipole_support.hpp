@@ -9,7 +9,8 @@
 namespace tanktread::coupler::test {
 
 inline bool same_bits(const Numbers& a, const Numbers& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
 
 /// Surfaces, their unit normals, and the lengths of their dipoles.
