@@ -65,5 +65,5 @@ function(tanktread_test name)
   # One thread unless a test asks for more: ctest runs several tests at once, and OpenMP threads that wait by spinning
   # on a processor they share with another test take a hundred times as long.
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
-    PROPERTIES TIMEOUT 600 ENVIRONMENT "OMP_NUM_THREADS=1;OMP_WAIT_POLICY=passive")
+    PROPERTIES TIMEOUT 600 ENVIRONMENT "OMP_NUM_THREADS=1\\;OMP_WAIT_POLICY=passive")
 endfunction()

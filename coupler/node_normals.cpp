@@ -78,19 +78,23 @@ std::span<const std::span<const double>> NodeNormals::find(std::span<const std::
                                 std::to_string(positions.size()) + " and " +
                                 std::to_string(triangles.size()) + " surfaces");
   }
-  if (surfaces_.size() != positions.size()) positions_.clear();
+  const auto forget = [this] {  // what is found so far is of other triangles
+    positions_.clear();
+    of_surface_.clear();
+  };
+  if (surfaces_.size() != positions.size()) forget();
   surfaces_.resize(positions.size());
   first_node_.assign(1, 0);
   for (std::size_t s = 0; s < positions.size(); ++s) {
     const std::size_t n_nodes = positions[s].size() / 3;
     if (!knows(s, n_nodes, triangles[s])) {
-      positions_.clear();  // what is found so far is of other triangles
+      forget();
       require_surface(positions[s].size(), triangles[s], "normals", positions[s].size());
       take_in(n_nodes, triangles[s], surfaces_[s]);
     }
     first_node_.push_back(first_node_.back() + n_nodes);
   }
-  if (!take_in_positions(positions) && of_surface_.size() == positions.size()) return of_surface_;
+  if (!take_in_positions(positions) && !of_surface_.empty()) return of_surface_;
   normals_.resize(3 * first_node_.back());
   of_surface_.clear();
   for (std::size_t s = 0; s < positions.size(); ++s)

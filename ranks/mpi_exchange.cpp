@@ -14,11 +14,17 @@ namespace {
 /// Tags. A rank may begin the next exchange before another has seen the end of the last, so two take turns.
 constexpr int known_tag = 1, unknown_tags[] = {2, 3};
 
-int count_of(const Message& message) {
-  if (message.bytes.size() > INT_MAX)
+/// Before the first of them is sent: MPI reads their memory until they have gone.
+void check_sizes(const std::vector<Message>& outgoing) {
+  for (const auto& message : outgoing) {
+    if (message.bytes.size() <= INT_MAX) continue;
     throw std::logic_error("a message to rank " + std::to_string(message.rank) + " has " +
                            std::to_string(message.bytes.size()) + " bytes, MPI can send " +
-                           std::to_string(INT_MAX));
+                           std::to_string(INT_MAX) + "; take more ranks");
+  }
+}
+
+int count_of(const Message& message) {
   return static_cast<int>(message.bytes.size());
 }
 
@@ -54,7 +60,9 @@ std::vector<Message> World::exchange(std::vector<Message> outgoing) const {
   auto incoming = take_own(outgoing, rank_);
   if (!communicator_->began()) return incoming;
   const MPI_Comm all = communicator_->all;
-  const int tag = unknown_tags[communicator_->n_exchanges++ % 2];
+  const int tag =
+      unknown_tags[std::exchange(communicator_->is_odd_exchange, !communicator_->is_odd_exchange)];
+  check_sizes(outgoing);
   std::vector<MPI_Request> sends(outgoing.size());
   for (std::size_t k = 0; k < outgoing.size(); ++k) {
     const auto& message = outgoing[k];
@@ -84,6 +92,7 @@ std::vector<Message> World::exchange(std::vector<Message> outgoing, std::span<co
   auto own = take_own(outgoing, rank_);
   if (!communicator_->began()) return own;
   const MPI_Comm all = communicator_->all;
+  check_sizes(outgoing);
   std::vector<MPI_Request> sends(outgoing.size());
   for (std::size_t k = 0; k < outgoing.size(); ++k) {
     const auto& message = outgoing[k];

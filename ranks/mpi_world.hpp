@@ -11,7 +11,7 @@ namespace tanktread::ranks {
 struct World::Communicator {
   MPI_Comm all = MPI_COMM_NULL;
   bool began() const { return all != MPI_COMM_NULL; }
-  int n_exchanges = 0;  ///< among ranks that do not know of each other
+  bool is_odd_exchange = false;  ///< among ranks that do not know of each other
 };
 
 }  // namespace tanktread::ranks

@@ -1,6 +1,7 @@
 #include "driver/system/capsule_messages.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -41,6 +42,7 @@ CapsuleMessages::CapsuleMessages(const ranks::World& world, const ranks::Divisio
 
 void CapsuleMessages::forget() {
   know_triangles_.clear();
+  triangles_.clear();
 }
 
 // As far as there are nodes within the reach of a coordinate; of a length that is not finite none.
@@ -179,7 +181,7 @@ void CapsuleMessages::bring_velocities(const NodeVectors& near,
   for (std::size_t k = 0; k < own.size(); ++k) {
     if (n_found[k] != own[k].cols())
       throw std::logic_error("capsule " + std::to_string(own_numbers_[k]) +
-                             ": not every node is at home at " + "one rank");
+                             ": not every node is at home at one rank");
   }
 }
 

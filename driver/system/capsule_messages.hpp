@@ -32,7 +32,7 @@ class CapsuleMessages {
   /// World is borrowed. @param reach grid steps from a node at which it is near
   CapsuleMessages(const ranks::World& world, const ranks::Division& division, int reach);
 
-  /// Forgets whom it has told of triangles: capsules have other owners from now on.
+  /// Forgets whom it has told of triangles, and what it was told: capsules have other owners from now on.
   void forget();
 
   /// Positions and forces of all capsules to the ranks that they are near to now.

@@ -58,8 +58,8 @@ class FirstError {
       keep({phase, static_cast<std::uint64_t>(error.node()), true, error.what()});
     } catch (const LongMove& error) {
       keep({phase, error.precedence, false, error.what()});
-    } catch (const membrane::InvertedElement& error) {
-      keep({phase, error.membrane(), false, error.what()});
+    } catch (const CapsuleInverted& error) {
+      keep({phase, error.precedence, false, error.what()});
     } catch (const coupler::StencilError& error) {
       keep({phase, error.precedence, false, error.what()});
     } catch (const coupler::CorrectionError& error) {

@@ -28,6 +28,14 @@ class LongMove : public std::runtime_error {
   std::uint64_t precedence;  ///< of several, the one with the lowest is of the first capsule and node
 };
 
+/// An element of a capsule, which the message names: an InvertedElement of one of several membranes.
+class CapsuleInverted : public membrane::InvertedElement {
+ public:
+  CapsuleInverted(const std::string& message, std::uint64_t of_precedence)
+      : membrane::InvertedElement(message), precedence(of_precedence) {}
+  std::uint64_t precedence;  ///< of several, the one with the lowest is met first
+};
+
 /// The numbers of capsules in the case, where only some of them are given; none: all are, in their order.
 using CapsuleNumbers = std::span<const std::size_t>;
 
@@ -71,8 +79,7 @@ NodeVectors move_nodes(const NodeVectors& positions, const NodeVectors& velocity
 /// their stresses are still those of t.
 /// @param velocity u_m(t), which moved the nodes there
 /// @param step of the positions, t+1
-/// @throws membrane::InvertedElement that names the capsule; RunError if a program in the place of a membrane
-/// gives no forces
+/// @throws CapsuleInverted; RunError if a program in the place of a membrane gives no forces
 NodeVectors nodal_forces(std::vector<CapsuleMembrane>& membranes, const NodeVectors& positions,
                          const NodeVectors& velocity, std::int64_t step, NodeVectors memory = {},
                          CapsuleNumbers numbers = {});

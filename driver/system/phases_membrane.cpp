@@ -30,18 +30,21 @@ std::size_t number_of(std::size_t k, CapsuleNumbers numbers) {
   return numbers.empty() ? k : numbers[k];
 }
 
+/// All elements are looked at before the first implicit viscosity is.
+enum class Met : std::uint64_t { in_elements, in_implicit_viscosity };
+
 /// @param k of the capsules given
-[[noreturn]] void refuse_element(const membrane::InvertedElement& error, std::size_t k,
-                                 CapsuleNumbers numbers) {
+[[noreturn]] void refuse_element(Met met, const char* what, std::size_t k, CapsuleNumbers numbers) {
   const auto capsule = number_of(k, numbers);
-  throw membrane::InvertedElement(fmt::format("capsule {}: {}", capsule, error.what()), capsule);
+  throw CapsuleInverted(fmt::format("capsule {}: {}", capsule, what),
+                        (static_cast<std::uint64_t>(met) << 32) + capsule);
 }
 
 void advance_all(const std::vector<membrane::MembraneStep>& steps, CapsuleNumbers numbers) {
   try {
     membrane::advance(steps);
   } catch (const membrane::InvertedElement& error) {
-    refuse_element(error, error.membrane(), numbers);
+    refuse_element(Met::in_elements, error.what(), error.membrane(), numbers);
   }
 }
 
@@ -52,7 +55,7 @@ void move_implicit(CapsuleMembrane& membrane, std::size_t k, CapsuleNumbers numb
   try {
     viscosity->set_positions(membrane.positions());
   } catch (const membrane::InvertedElement& error) {
-    refuse_element(error, k, numbers);
+    refuse_element(Met::in_implicit_viscosity, error.what(), k, numbers);
   }
 }
 

@@ -27,9 +27,7 @@ class RegionHalo {
   void find(std::span<const std::int64_t> nodes);
 
   /// The nodes of the list that this rank has, by their numbers in its block, in the order of the list.
-  const std::vector<std::int64_t>& own_nodes() const { return own_nodes_; }
-  /// Their places in the list.
-  const std::vector<std::size_t>& own_places() const { return own_places_; }
+  const std::vector<std::int64_t>& own_nodes() const { return own_.nodes; }
 
   /// Numbers of the rank's own nodes, put to their places in those of the list.
   void place_own(std::span<const double> of_own, int components, std::span<double> of_list) const;
@@ -41,12 +39,31 @@ class RegionHalo {
   void complete(int components, std::span<double> of_list) const;
 
  private:
-  /// Nodes that go to a rank, or come from it: their places in the list.
-  struct Share {
+  /// Places in the list that follow each other.
+  struct Run {
+    std::size_t first, n;
+  };
+  /// Nodes of the list that one rank has.
+  struct Nodes {
+    std::vector<std::int64_t> nodes;  ///< by its own numbers
+    std::vector<Run> runs;            ///< where they stand in the list
+
+    void add(std::int64_t node, std::size_t place);
+  };
+  /// Nodes of this rank that another asks for.
+  struct Asked {
     int rank;
-    std::vector<std::size_t> places;
+    std::size_t n_nodes;
+    std::vector<Run> runs;
+  };
+  /// Neighbours along x that one rank has.
+  struct Segment {
+    std::int64_t begin = 0, end = -1;  ///< indices within the region
+    std::size_t rank = 0;
+    std::int64_t shift = 0;  ///< from there to the number in the rank's block
   };
 
+  Segment segment_from(std::int64_t node) const;
   void take_in(std::span<const std::int64_t> nodes);
   void answer(std::vector<ranks::Message> requests);
 
@@ -54,12 +71,10 @@ class RegionHalo {
   PartPlaces places_;
   std::vector<ranks::Block> blocks_;  ///< of each rank
   coupler::GridPart region_;
-  std::vector<std::int64_t> own_nodes_;
-  std::vector<std::size_t> own_places_;
-  std::vector<std::vector<std::int64_t>> wanted_;        ///< of each rank, by its own numbers
-  std::vector<std::vector<std::size_t>> wanted_places_;  ///< their places in the list
-  std::vector<Share> asked_;                             ///< of this rank by others, ascending by rank
-  std::vector<int> owners_;                              ///< ranks that have something of this one's list
+  Nodes own_;
+  std::vector<Nodes> wanted_;  ///< of each rank
+  std::vector<Asked> asked_;   ///< ascending by rank
+  std::vector<int> owners_;    ///< ranks that have something of this one's list
 };
 
 }  // namespace tanktread::driver

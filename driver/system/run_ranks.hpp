@@ -23,7 +23,8 @@ ranks::Box box_of_ranks(const Case& the_case);
 ranks::Division division_of(const Case& the_case, int n_ranks);
 
 /// What a run says of them: "on 2 ranks (Open MPI v4.1.4) of 4 threads: 1 x 1 x 2 parts, the first of 60 x 60
-/// x 30 nodes", and a warning if these threads have fewer processors than they are; "" on one. @throws InputError if run.ranks is for another number of them
+/// x 30 nodes", and a warning if these threads have fewer processors than they are; "" on one. @throws
+/// InputError if run.ranks is for another number of them
 std::string ranks_line(const Case& the_case);
 
 }  // namespace tanktread::driver

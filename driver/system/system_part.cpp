@@ -188,8 +188,9 @@ void SystemPart::bring_velocities(NodeVectors& velocity) {
 void SystemPart::correct_along_membranes(FirstError& error, const NodeVectors& force, NodeVectors& velocity) {
   if (!corrections_.along_membrane) return;
   const auto& correction = *corrections_.along_membrane;
-  const auto normals =
-      corrections_.normals->find(views(near_.surfaces.positions), corners_of(near_.surfaces));
+  const auto normals = timed(seconds_.correction, [&] {
+    return corrections_.normals->find(views(near_.surfaces.positions), corners_of(near_.surfaces));
+  });
   error.guard(StepPhase::correction, [&] {
     timed(seconds_.correction, [&] { correction.spread(coupler_, normals, views(force), on_grid_); });
   });
@@ -205,8 +206,9 @@ void SystemPart::move_membranes(FirstError& error) {
       scratch_ = std::exchange(own_.positions, std::move(next));
     });
     error.guard(StepPhase::forces, [&] {
-      own_.force = nodal_forces(membranes_, own_.positions, own_.velocity, step_ + 1, std::move(own_.force),
-                                own_.numbers);
+      auto next = nodal_forces(membranes_, own_.positions, own_.velocity, step_ + 1,
+                               std::move(scratch_force_), own_.numbers);
+      scratch_force_ = std::exchange(own_.force, std::move(next));
     });
   });
 }

@@ -98,7 +98,7 @@ class SystemPart {
   // Scratch, one a grid node of the list, or of the rank's own among them.
   std::vector<double> on_grid_, of_own_;
   GridVectors free_;
-  NodeVectors scratch_;
+  NodeVectors scratch_, scratch_force_;  // arrays of before, whose memory the next ones take
 };
 
 }  // namespace tanktread::driver

@@ -71,6 +71,12 @@ RUNS = {
     "of two viscosities, implicit, several": (
         ["membrane.viscous.boussinesq_shear=5", "membrane.viscous.scheme=implicit", "flow.viscosity_ratio=3", "run.shear_time=0.02"],
         PERIODIC + SECOND, [3]),
+    "away from a rank, which is then without any, and back": (
+        ["flow.box=[40,12,12]", "capsule.0.radius=3", "capsule.0.position=[4,6,6]", "flow.body_force=[1e-3,0,0]", "flow.shear_rate=1e-2",
+         "run.shear_time=2.5", "run.checkpoint_every=5", "output.membrane_every=1", "output.fluid_every=0", "output.energy_every=1"],
+        PERIODIC, ["4,1,1"]),
+    "another kernel with its correction": (
+        ["coupler.kernel=peskin4", "coupler.tangential_correction=true", "flow.viscosity_ratio=3"], CASE + SECOND, [3, "2,1,2"]),
     "in single precision": (["flow.storage=single", "flow.viscosity_ratio=0.5"], CASE + SECOND, [2, "1,3,1"]),
     "a red cell": (
         ["capsule.0.mesh.shape=biconcave", "membrane.bending_modulus=0.02", "membrane.global_area_modulus=1",
@@ -177,12 +183,14 @@ class Ended(OnRanks):
             (["flow.speed_limit=0.0185", "flow.start=developed"], "fluid velocity at node ("),
             (["flow.speed_limit=0.57", "membrane.capillary_number=0.0005"], "of capsule 1"),
             (["capsule.0.load.force=60", "capsule.0.load.direction=[0,0,1]", "capsule.0.load.patch=0.2"], "from the wall at z = 0"),
+            (["membrane.elastic_law=interfacial-tension", "membrane.capillary_modulus=gamma", "membrane.capillary_number=1",
+              "flow.wall_speed=0.08", "run.shear_time=40", "output.observables_every=5", "output.measures_every=0"], "capsule 0: membrane element"),
             (["membrane.viscous.boussinesq_shear=50", "membrane.viscous.scheme=implicit", "coupler.implicit_tolerance=1e-13",
               "coupler.implicit_iterations=2"], "implicit viscous forces were not found"),
         ):
             messages = []
             for ranks in (1, 2, "2,1,3"):
-                assignments = [part for setting in settings + long for part in ("--set", setting)]
+                assignments = [part for setting in long + settings for part in ("--set", setting)]
                 done = self.call("run", "case.toml", "--output", "out", "--force", *assignments, ranks=ranks)
                 self.assertEqual(done.returncode, 3, done.stderr)
                 lines = [line for line in done.stderr.splitlines() if line.startswith("tanktread: error:")]

@@ -73,8 +73,8 @@ bool same_bits(std::span<const double> a, std::span<const double> b) {
 TEST(NodeNormals, OfManySurfacesAreThoseOfEachForAnyNumberOfThreads) {
   std::vector<Heap> heaps = {{40, 1}, {23, 2}, {100, 3}};
   NodeNormals one(1), two(2), many(64);
-  // The second time positions are others, the third time the triangles of one surface are, the fourth time all
-  // is as before.
+  // The second time positions are others, the third time the triangles of one surface are, the fourth time
+  // all is as before.
   for (int time = 0; time < 4; ++time) {
     std::vector<std::span<const double>> positions;
     std::vector<std::span<const int>> triangles;
@@ -93,6 +93,28 @@ TEST(NodeNormals, OfManySurfacesAreThoseOfEachForAnyNumberOfThreads) {
     }
     if (time == 0) heaps[1].positions = random_numbers(heaps[1].positions.size(), -1, 1, 4);
     if (time == 1) std::swap(heaps[2].triangles[5], heaps[2].triangles[90]);
+  }
+}
+
+// On a part of a grid a surface that is far away has no nodes.
+TEST(NodeNormals, OfSurfacesThatComeAndGo) {
+  const Numbers positions = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.5, 0, -1};
+  const std::vector<int> triangles = {0, 1, 2, 0, 2, 3, 0, 4, 1};
+  Numbers expected(15);
+  node_normals(positions, triangles, expected);
+  NodeNormals normals(1);
+  for (const int which : {1, 0, 3, 0, 0, 2, 1}) {  // bits: which of the two surfaces are there
+    std::vector<std::span<const double>> points(2);
+    std::vector<std::span<const int>> corners(2);
+    for (std::size_t s = 0; s < 2; ++s) {
+      if ((which >> s & 1) == 0) continue;
+      points[s] = positions;
+      corners[s] = triangles;
+    }
+    const auto found = normals.find(points, corners);
+    ASSERT_EQ(found.size(), 2);
+    for (std::size_t s = 0; s < 2; ++s)
+      EXPECT_EQ(Numbers(found[s].begin(), found[s].end()), points[s].empty() ? Numbers() : expected) << which;
   }
 }
 

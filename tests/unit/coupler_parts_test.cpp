@@ -57,9 +57,9 @@ struct Scene {
     }
     for (const Numbers& nodes :
          {sphere(200, 5.0, {12.1, 9.7, 9.2}), nodes_at_cuts(), far, Numbers{},
-          random_numbers(900, -30, 50, 1), Numbers{-1073741823.75, 1073741824.0, -0.0, 24.0, -20.0, 1e9}})
+          random_numbers(903, -30, 50, 1), Numbers{-1073741823.75, 1073741824.0, -0.0, 24.0, -20.0, 1e9}})
       surfaces.push_back(between_walls(grid, kernel, nodes));
-    const Numbers lengths = {0.3, -0.2, 0.1, 0.2, 0, -0.15};
+    const Numbers lengths = {0.3, 0, 0.1, 0.2, -0.25, -0.15};
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
       const unsigned seed = 10 * static_cast<unsigned>(s);
       normals.push_back(random_numbers(surfaces[s].size(), -1, 1, seed));

@@ -36,6 +36,27 @@ class CouplerSlopes : public ::testing::TestWithParam<Kernel> {
 INSTANTIATE_TEST_SUITE_P(All, CouplerSlopes, ::testing::ValuesIn(kernels()),
                          [](const auto& tested) { return tested.param.name; });
 
+// Parts of a grid, and threads, ask for other numbers of coordinates at once: none may be rounded otherwise.
+TEST_P(CouplerSlopes, DoNotDependOnHowManyAreAskedForAtOnce) {
+  const Numbers phases = random_numbers(65, 0, 1, 7);
+  for (const std::size_t n : {2, 3, 5, 7, 64, 65}) {
+    Numbers first;
+    for (std::size_t k = 0; k < n; ++k) first.push_back(first_distance(phases[k]));
+    Numbers weights(n * width()), slopes(n * width());
+    if (kernel_.weights) kernel_.weights(static_cast<int>(n), first.data(), weights.data());
+    kernel_.slopes(static_cast<int>(n), first.data(), slopes.data());
+    for (std::size_t k = 0; k < n; ++k) {
+      Numbers weights_alone(width()), slopes_alone(width());
+      if (kernel_.weights) kernel_.weights(1, &first[k], weights_alone.data());
+      kernel_.slopes(1, &first[k], slopes_alone.data());
+      for (std::size_t point = 0; point < width(); ++point) {
+        EXPECT_EQ(weights[k * width() + point], weights_alone[point]) << n << " at once, number " << k;
+        EXPECT_EQ(slopes[k * width() + point], slopes_alone[point]) << n << " at once, number " << k;
+      }
+    }
+  }
+}
+
 // Constant fields have no slope: the derivative of the partition of unity.
 TEST_P(CouplerSlopes, SumToZero) {
   for (const double phase : phases()) {
