@@ -16,6 +16,7 @@
 #include "exchange/file_kind.hpp"
 #include "exchange/grid_head.hpp"
 #include "exchange/grid_pieces.hpp"
+#include "exchange/promised_sizes.hpp"
 #include "exchange/vtk_files.hpp"
 #include "exchange/whole_file.hpp"
 #include "exchange/xml_text.hpp"
@@ -128,6 +129,24 @@ void check_cover(const GridIndex& index, const path& file, const char* what) {
   if (filled == cells_of(whole)) return;
   fail(fmt::format("the grid has {:.10g} cells (WholeExtent), its pieces have {:.10g} (Extent)",
                    cells_of(whole), filled));
+}
+
+/// They are there, and together can hold what the index promises, before room is made for it.
+void check_pieces(const GridIndex& index, const path& file) {
+  double n_bytes = 0, n_numbers = 0;
+  for (const auto& piece : index.pieces) {
+    const auto name = file.parent_path() / piece.file;
+    if (!std::filesystem::is_regular_file(name))
+      throw FileError(fmt::format("{}: no such file, a piece of {}", name.string(), file.string()));
+    n_bytes += static_cast<double>(std::filesystem::file_size(name));
+  }
+  for (const auto& array : index.point_data) n_numbers += array.components;
+  for (const int n : index.whole.nodes) n_numbers *= n;
+  if (n_numbers * sizeof(double) <= growth_of_compressed * n_bytes) return;
+  throw FileError(
+      fmt::format("{}: promises {:.10g} numbers, which pieces of {:.10g} bytes together cannot "
+                  "hold: it is damaged; write or copy it again",
+                  file.string(), n_numbers, n_bytes));
 }
 
 std::string text_of(vtkXMLDataElement& element, const char* attribute, const path& file) {
@@ -264,11 +283,7 @@ void write_grid_index(const path& file, const GridIndex& index) {
 GridIndex read_grid_index(const path& file) {
   auto index = parse(read_growing_text(file), file);
   check_cover(index, file, "is damaged");
-  for (const auto& piece : index.pieces) {
-    const auto name = file.parent_path() / piece.file;
-    if (!std::filesystem::is_regular_file(name))
-      throw FileError(fmt::format("{}: no such file, a piece of {}", name.string(), file.string()));
-  }
+  check_pieces(index, file);
   return index;
 }
 
