@@ -11,6 +11,8 @@ import time
 import unittest
 
 from post_fixture import ROOT, InFolder
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPImageDataReader
 
 # More ranks than processors, as root: what the two MPI of Debian want to be told.
 ENVIRONMENT = os.environ | {
@@ -84,6 +86,17 @@ IN_PIECES = {
     "across the cuts, with other owners on the way", "in single precision", "a slice of the fluid, to the first nodes of a part",
 }
 PIECES = ["--set", "output.whole_file_nodes=100"]
+
+
+def grid(reader, file):
+    """Extent, and arrays [z, y, x, component] by name."""
+    reader.SetFileName(str(file))
+    reader.Update()
+    data = reader.GetOutput()
+    extent, points = data.GetExtent(), data.GetPointData()
+    shape = [extent[2 * axis + 1] - extent[2 * axis] + 1 for axis in (2, 1, 0)]
+    return extent, {
+        points.GetArrayName(k): vtk_to_numpy(points.GetArray(k)).reshape(*shape, -1) for k in range(points.GetNumberOfArrays())}
 
 
 class OnRanks(InFolder):
@@ -179,6 +192,24 @@ class Equal(OnRanks):
             self.run_well("run", "--resume", run, "--shear-time", "0.06", ranks=2)
             self.assert_in_pieces(f"{run}/checkpoints/step_*27", not pieces)
         self.assert_same("whole", "parts")
+
+    def test_each_piece_has_the_numbers_of_the_whole(self):
+        """In the layers too that it shares with its neighbours, which putting the pieces together does not look at."""
+        settings = ["--set", "flow.viscosity_ratio=3", "--set", "capsule.0.position=[12,10,9.3]"]
+        self.run_well("run", "case.toml", "--output", "whole", *settings)
+        self.run_well("run", "case.toml", "--output", "parts", *settings, *PIECES, ranks="2,2,2")
+        for index in ("fluid/fluid_0000000000", "fluid/fluid_0000000027", "checkpoints/step_0000000027/fluid"):
+            _, whole = grid(vtkXMLImageDataReader(), self.folder / f"whole/{index}.vti")
+            _, together = grid(vtkXMLPImageDataReader(), self.folder / f"parts/{index}.pvti")
+            self.assertEqual(set(whole), set(together))
+            for name in whole:
+                self.assertEqual(whole[name].tobytes(), together[name].tobytes(), name)
+            pieces = sorted((self.folder / "parts" / index).iterdir())
+            self.assertEqual(len(pieces), 8)
+            for piece in pieces:
+                (x0, x1, y0, y1, z0, z1), arrays = grid(vtkXMLImageDataReader(), piece)
+                for name, values in arrays.items():
+                    self.assertEqual(values.tobytes(), whole[name][z0 : z1 + 1, y0 : y1 + 1, x0 : x1 + 1].tobytes(), (piece, name))
 
     def test_pieces_of_later_files_go(self):
         """A run that goes on from an earlier checkpoint leaves no piece of what comes after it, and none that lacks its index."""
