@@ -96,7 +96,7 @@ std::uint64_t content_hash(const GridPacket& packet) {
   Hasher hasher;
   hasher.add("grid");
   for (const int n : packet.nodes) hasher.add(std::int64_t{n});
-  auto origin = packet.origin;
+  auto origin = first_node(packet);
   for (double& x : origin) x += 0.0;  // -0.0 becomes 0.0
   hasher.add_list(origin);
   hasher.add_list(packet.spacing);

@@ -14,7 +14,8 @@ namespace tanktread::exchange {
 inline constexpr const char* content_hash_name = "content_hash";
 
 /// XXH3 (64 bits, no seed) over the packet. Each part counts: the name of its kind, then
-/// - "points": coordinates; "triangles": nodes, as 64-bit integers; "grid": nodes, origin, spacing;
+/// - "points": coordinates; "triangles": nodes, as 64-bit integers; "grid": nodes, position of the first of
+/// them, spacing;
 /// - "point data", "cell data", "field data": of each array in order its name, components and values.
 /// A text or list enters as its length (64-bit integer) and its bytes as they lie in memory, where doubles
 /// and integers are little-endian. Hence -0.0 is not 0.0, and the payload of a NaN counts; but

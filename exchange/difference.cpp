@@ -111,7 +111,7 @@ std::vector<ArrayDifference> differences(const SurfacePacket& a, const SurfacePa
 std::vector<ArrayDifference> differences(const GridPacket& a, const GridPacket& b) {
   std::vector<ArrayDifference> all;
   all.push_back(array_difference("geometry", as_array("nodes", 3, a.nodes), as_array("nodes", 3, b.nodes)));
-  all.push_back(value_difference("geometry", "origin", 3, a.origin, b.origin));
+  all.push_back(value_difference("geometry", "origin", 3, first_node(a), first_node(b)));
   all.push_back(value_difference("geometry", "spacing", 3, a.spacing, b.spacing));
   add(all, "point data", a.point_data, b.point_data);
   add(all, "field data", a.field_data, b.field_data);

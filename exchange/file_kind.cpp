@@ -75,6 +75,7 @@ std::string conversion(const path& name, std::string_view suffix) {
 std::string type_text(const std::string& type) {
   if (type == "UnstructuredGrid") return "a surface (.vtu)";
   if (type == "ImageData") return "a grid (.vti)";
+  if (type == "PImageData") return "the index of a grid in pieces (.pvti)";
   if (type == "Collection") return "a series (.pvd)";
   if (type == "PolyData") return "a VTK file of polygons (.vtp)";
   return "a VTK file of type " + type;

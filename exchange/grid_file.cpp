@@ -11,6 +11,8 @@
 #include <cmath>
 
 #include "exchange/content_hash.hpp"
+#include "exchange/grid_file.hpp"
+#include "exchange/grid_pieces.hpp"
 #include "exchange/vtk_arrays.hpp"
 #include "exchange/vtk_calls.hpp"
 #include "exchange/vtk_files.hpp"
@@ -56,6 +58,13 @@ void check_frame(vtkImageData& image, const path& file) {
   }
 }
 
+/// As a grid by itself.
+GridPacket alone(GridPacket packet) {
+  packet.origin = first_node(packet);
+  packet.begin = {0, 0, 0};
+  return packet;
+}
+
 /// All but the hash, which stays among the field data. @param exact refuses numbers as ASCII
 GridPacket read(const path& file, Convert convert, bool exact) {
   vtkNew<vtkXMLImageDataReader> reader;
@@ -65,11 +74,9 @@ GridPacket read(const path& file, Convert convert, bool exact) {
   GridPacket packet;
   image->GetDimensions(packet.nodes.data());
   image->GetSpacing(packet.spacing.data());
-  for (int axis = 0; axis < 3; ++axis) {
-    // VTK's origin is that of index 0, which need not be the first node of an extent.
-    const int first = image->GetExtent()[2 * axis];
-    packet.origin[axis] = image->GetOrigin()[axis] + first * packet.spacing[axis];
-  }
+  // VTK's origin is that of index 0, which need not be the first node of an extent.
+  image->GetOrigin(packet.origin.data());
+  for (std::size_t axis = 0; axis < 3; ++axis) packet.begin[axis] = image->GetExtent()[2 * axis];
   packet.point_data = take_arrays(*image->GetPointData(), convert, "point data", file);
   packet.field_data = take_arrays(*image->GetFieldData(), convert, "field data", file);
   return packet;
@@ -82,7 +89,8 @@ void write_grid(const path& file, const GridPacket& packet) {
   check_names(packet.field_data, file);
   const std::vector<Array> hash = {to_array(content_hash(packet))};
   vtkNew<vtkImageData> image;
-  image->SetDimensions(packet.nodes.data());
+  const auto& [x, y, z] = packet.begin;
+  image->SetExtent(x, x + packet.nodes[0] - 1, y, y + packet.nodes[1] - 1, z, z + packet.nodes[2] - 1);
   image->SetOrigin(packet.origin.data());
   image->SetSpacing(packet.spacing.data());
   add_arrays(packet.point_data, image->GetNumberOfPoints(), *image->GetPointData(), "point data", file);
@@ -92,14 +100,20 @@ void write_grid(const path& file, const GridPacket& packet) {
   write_with(*writer, *image, file);
 }
 
-GridPacket read_grid(const path& file, bool convert) {
+GridPacket read_piece(const path& file, bool convert) {
   auto packet = read(file, convert ? Convert::with_losses : Convert::nothing, !convert);
   check_content(packet, file);
   return packet;
 }
 
+GridPacket read_grid(const path& file, bool convert) {
+  if (file.extension() != ".pvti") return alone(read_piece(file, convert));
+  const auto index = read_grid_index(file);
+  return alone(read_grid_block(file, index, index.whole, convert));
+}
+
 GridPacket read_exact_grid(const path& file) {
-  auto packet = read(file, Convert::exactly, true);
+  auto packet = alone(read(file, Convert::exactly, true));
   drop_hash(packet.field_data);
   return packet;
 }

@@ -4,10 +4,8 @@
 #include <vtkXMLDataElement.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <sstream>
@@ -24,7 +22,7 @@ namespace fs = std::filesystem;
 
 /// The numbers of an attribute; as many as there are up to the first word that is none, which counts as a
 /// NaN.
-std::vector<double> numbers_of(const char* text) {
+std::vector<double> numbers_in(const std::string& text) {
   std::vector<double> numbers;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
@@ -37,38 +35,6 @@ std::vector<double> numbers_of(const char* text) {
   return numbers;
 }
 
-void check_numbers(vtkXMLDataElement& grid, const char* attribute, std::size_t n, const fs::path& file) {
-  const char* text = grid.GetAttribute(attribute);
-  if (text == nullptr) return;
-  const auto numbers = numbers_of(text);
-  const bool are_finite =
-      std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
-  if (numbers.size() != n || !are_finite)
-    refuse_attribute(attribute, text, fmt::format("{} finite numbers", n), file);
-}
-
-using Extent = std::array<std::int64_t, 6>;
-
-Extent extent_of(vtkXMLDataElement& element, const char* attribute, const fs::path& file) {
-  constexpr double greatest = std::numeric_limits<int>::max();
-  const char* text = element.GetAttribute(attribute);
-  const auto numbers = numbers_of(text);
-  Extent extent{};
-  bool fits = numbers.size() == extent.size();
-  for (std::size_t k = 0; k < extent.size() && fits; ++k) {
-    fits = std::abs(numbers[k]) < greatest && numbers[k] == std::floor(numbers[k]);
-    if (fits) extent[k] = static_cast<std::int64_t>(numbers[k]);
-  }
-  for (std::size_t k = 0; k < extent.size() && fits; k += 2)
-    fits = static_cast<double>(extent[k + 1] - extent[k]) < greatest;
-  if (!fits)
-    refuse_attribute(attribute, text,
-                     "six whole numbers of 32 bits, the first and last node along x, y and z", file);
-  return extent;
-}
-
-/// Of nodes or, which pieces of a grid share none of, cells; a grid of one node along an axis has one cell
-/// there.
 double size_of(const Extent& extent, bool of_cells) {
   double size = 1;
   for (std::size_t k = 0; k < extent.size(); k += 2) {
@@ -87,21 +53,56 @@ void refuse_attribute(const std::string& attribute, const std::string& found, co
                   file.string(), attribute, found, expected));
 }
 
+std::vector<double> numbers_of(vtkXMLDataElement& element, const char* attribute, std::size_t n,
+                               const fs::path& file) {
+  const char* text = element.GetAttribute(attribute);
+  if (text == nullptr) return {};
+  auto numbers = numbers_in(text);
+  const bool are_finite =
+      std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
+  if (numbers.size() != n || !are_finite)
+    refuse_attribute(attribute, text, fmt::format("{} finite numbers", n), file);
+  return numbers;
+}
+
+Extent extent_of(vtkXMLDataElement& element, const char* attribute, const fs::path& file) {
+  constexpr double greatest = std::numeric_limits<int>::max();
+  const char* found = element.GetAttribute(attribute);
+  const std::string text = found != nullptr ? found : "";
+  const auto numbers = numbers_in(text);
+  Extent extent{};
+  bool fits = numbers.size() == extent.size();
+  for (std::size_t k = 0; k < extent.size() && fits; ++k) {
+    fits = std::abs(numbers[k]) < greatest && numbers[k] == std::floor(numbers[k]);
+    if (fits) extent[k] = static_cast<std::int64_t>(numbers[k]);
+  }
+  for (std::size_t k = 0; k < extent.size() && fits; k += 2)
+    fits = static_cast<double>(extent[k + 1] - extent[k]) < greatest;
+  if (!fits)
+    refuse_attribute(attribute, text,
+                     "six whole numbers of 32 bits, the first and last node along x, y and z", file);
+  return extent;
+}
+
+double cells_of(const Extent& extent) {
+  return size_of(extent, true);
+}
+
 double points_of_extent(vtkXMLDataElement& element, const char* attribute, const fs::path& file) {
   return element.GetAttribute(attribute) != nullptr ? size_of(extent_of(element, attribute, file), false) : 0;
 }
 
 void check_grid_head(vtkXMLDataElement& grid, const fs::path& file) {
-  check_numbers(grid, "Origin", 3, file);
-  check_numbers(grid, "Spacing", 3, file);
-  check_numbers(grid, "Direction", 9, file);
+  numbers_of(grid, "Origin", 3, file);
+  numbers_of(grid, "Spacing", 3, file);
+  numbers_of(grid, "Direction", 9, file);
   if (grid.GetAttribute("WholeExtent") == nullptr) return;  // which VTK says
-  const auto whole = size_of(extent_of(grid, "WholeExtent", file), true);
+  const auto whole = cells_of(extent_of(grid, "WholeExtent", file));
   double filled = 0;
   for (int k = 0; k < grid.GetNumberOfNestedElements(); ++k) {
     auto& piece = *grid.GetNestedElement(k);
     if (std::string_view(piece.GetName()) == "Piece" && piece.GetAttribute("Extent") != nullptr)
-      filled += size_of(extent_of(piece, "Extent", file), true);
+      filled += cells_of(extent_of(piece, "Extent", file));
   }
   if (filled == whole) return;
   throw FileError(

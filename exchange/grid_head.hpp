@@ -1,8 +1,11 @@
 // What the head of a .vti says of its grid, looked at before VTK's reader takes it on trust.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 class vtkXMLDataElement;
 
@@ -12,6 +15,20 @@ namespace tanktread::exchange {
 /// whole number ...")
 [[noreturn]] void refuse_attribute(const std::string& attribute, const std::string& found,
                                    const std::string& expected, const std::filesystem::path& file);
+
+/// First and last node along x, y, z: "x0 x1 y0 y1 z0 z1".
+using Extent = std::array<std::int64_t, 6>;
+
+/// @throws FileError unless the attribute is there, and is six whole numbers of 32 bits
+Extent extent_of(vtkXMLDataElement& element, const char* attribute, const std::filesystem::path& file);
+
+/// The numbers of an attribute; none if it is not there. @throws FileError unless they are `n` finite ones
+std::vector<double> numbers_of(vtkXMLDataElement& element, const char* attribute, std::size_t n,
+                               const std::filesystem::path& file);
+
+/// Cells of an extent, of which pieces of a grid share none, as a real number; a grid of one node along an
+/// axis has one cell there.
+double cells_of(const Extent& extent);
 
 /// The points of an extent "x0 x1 y0 y1 z0 z1" (first and last node along x, y, z), as a real number, which
 /// may be beyond every integer; 0 if the extent is empty or is not there.

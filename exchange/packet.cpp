@@ -4,6 +4,13 @@
 
 namespace tanktread::exchange {
 
+// In one place, for all that compare bits: elsewhere the product and the sum might be fused.
+std::array<double, 3> first_node(const GridPacket& packet) {
+  std::array<double, 3> position = packet.origin;
+  for (std::size_t axis = 0; axis < 3; ++axis) position[axis] += packet.begin[axis] * packet.spacing[axis];
+  return position;
+}
+
 const Array* find_optional_array(const std::vector<Array>& arrays, const std::string& name) {
   const auto found = std::ranges::find(arrays, name, &Array::name);
   return found == arrays.end() ? nullptr : &*found;

@@ -24,14 +24,19 @@ struct SurfacePacket {
   std::vector<Array> point_data, cell_data, field_data;
 };
 
-/// Data on the nodes of a Cartesian grid, x fastest.
+/// Data on the nodes of a Cartesian grid, x fastest, or on a block of them.
 struct GridPacket {
   std::array<int, 3> nodes = {0, 0, 0};
   std::array<double, 3> origin = {0.5, 0.5,
                                   0.5};  ///< position of node (0, 0, 0): one frame with the surfaces
   std::array<double, 3> spacing = {1, 1, 1};
+  /// Of a piece of a grid: the place of its first node in the whole, whose origin is that above.
+  std::array<int, 3> begin = {0, 0, 0};
   std::vector<Array> point_data, field_data;
 };
+
+/// Where the first node of a grid, or of a piece, lies.
+std::array<double, 3> first_node(const GridPacket& packet);
 
 /// A file could not be read or written, or is not what it should be. The message names the file, what is
 /// wrong, and VTK's own words.

@@ -18,45 +18,12 @@
 #include "exchange/file_tail.hpp"
 #include "exchange/vtk_files.hpp"
 #include "exchange/whole_file.hpp"
+#include "exchange/xml_text.hpp"
 
 namespace tanktread::exchange {
 namespace {
 
 using std::filesystem::path;
-
-/// A text as the value of an XML attribute. Line breaks and tabs are spelled out: XML makes them spaces
-/// otherwise.
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\n':
-        result += "&#10;";
-        break;
-      case '\r':
-        result += "&#13;";
-        break;
-      case '\t':
-        result += "&#9;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 constexpr std::string_view opening =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"

@@ -173,6 +173,8 @@ struct OutputCase {
   double fluid_every = 1.0;
   /// First and last node (both included) along x, y, z that fluid output covers; none: the whole box.
   std::optional<Ranges3> fluid_box;
+  /// Of a box with more nodes, fluid files and states of the fluid are written in pieces.
+  int whole_file_nodes = 256 * 256 * 256;
 
   bool operator==(const OutputCase&) const = default;
 };

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "driver/case/names.hpp"
 #include "driver/case/schema_keys.hpp"
@@ -138,6 +139,12 @@ std::vector<Key> coupler_run_output_keys() {
           .from(0)
           .to(most_nodes_along_axis - 1)
           .preset("the whole box")
+          .free_on_resume(),
+      key<InCase<&Case::output, &O::whole_file_nodes>>(
+          "output.whole_file_nodes", "nodes",
+          "of the box, up to which the fluid is one file a time; above, each rank writes a piece of it")
+          .from(0)
+          .to(std::numeric_limits<int>::max())
           .free_on_resume(),
   };
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <set>
 #include <string>
 
@@ -13,6 +14,7 @@
 #include "driver/diff/table_difference.hpp"
 #include "driver/program/errors.hpp"
 #include "driver/program/file_system_error.hpp"
+#include "exchange/grid_pieces.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
@@ -44,25 +46,29 @@ void compare_files(const std::string& name, const fs::path& a, const fs::path& b
   report.begin_file(name);
   const auto kind = fs::path(name).extension();
   if (kind == ".vtu") return compare_surfaces(a, b, report);
-  if (kind == ".vti") return compare_grids(a, b, report);
+  if (kind == ".vti" || kind == ".pvti") return compare_grids(a, b, report);
   if (kind == ".csv") return compare_tables(a, b, report);
   if (kind == ".pvd") return compare_series(exchange::read_series(a), exchange::read_series(b), report);
   compare_bytes(a, b, report);
 }
 
-/// The files below two directories, by the relative names in them.
+/// The files below a directory: their relative names, by what they are called. A grid in pieces is called as
+/// one that is whole, and has the name of its index.
 struct Listing {
   fs::path directory;
-  std::set<std::string> names;
+  std::map<std::string, std::string> names;
+
+  void add(const std::string& name) { names.emplace(whole_name(name), name); }
 };
 
 void compare_listings(const Listing& a, const Listing& b, DifferenceReport& report) {
-  std::set<std::string> all = a.names;
-  all.insert(b.names.begin(), b.names.end());
+  std::set<std::string> all;
+  for (const auto* listing : {&a, &b})
+    for (const auto& [name, file] : listing->names) all.insert(name);
   for (const auto& name : all) {
     if (leaves_out(name, report)) continue;
     if (a.names.contains(name) && b.names.contains(name)) {
-      compare_files(name, a.directory / name, b.directory / name, report);
+      compare_files(name, a.directory / a.names.at(name), b.directory / b.names.at(name), report);
       continue;
     }
     report.begin_file(name);
@@ -70,21 +76,32 @@ void compare_listings(const Listing& a, const Listing& b, DifferenceReport& repo
   }
 }
 
+/// The pieces of an index, which are compared as what they are together.
+void add_pieces(const fs::path& index, const fs::path& directory, std::set<std::string>& pieces) {
+  for (const auto& piece : exchange::read_grid_index(index).pieces)
+    pieces.insert((index.parent_path() / piece.file).lexically_relative(directory).string());
+}
+
 Listing files_below(const fs::path& directory) {
-  Listing listing{directory, {}};
+  std::set<std::string> files, pieces;
   for (fs::recursive_directory_iterator entry(directory), end; entry != end; ++entry) {
     if (entry->path().filename().string().starts_with('.')) {
       entry.disable_recursion_pending();
     } else if (!entry->is_directory()) {
-      listing.names.insert(entry->path().lexically_relative(directory).string());
+      files.insert(entry->path().lexically_relative(directory).string());
+      if (entry->path().extension() == ".pvti") add_pieces(entry->path(), directory, pieces);
     }
+  }
+  Listing listing{directory, {}};
+  for (const auto& file : files) {
+    if (!pieces.contains(file)) listing.add(file);
   }
   return listing;
 }
 
 Listing files_named_by(const fs::path& series) {
   Listing listing{series.parent_path(), {}};
-  for (const auto& entry : exchange::read_series(series)) listing.names.insert(entry.file);
+  for (const auto& entry : exchange::read_series(series)) listing.add(entry.file);
   return listing;
 }
 
@@ -97,7 +114,7 @@ void require_one_kind(const fs::path& a, const fs::path& b) {
     throw InputError(fmt::format("{}: is a directory and {} is not; compare two files or two directories",
                                  directory.string(), (fs::is_directory(a) ? b : a).string()));
   }
-  if (!fs::is_directory(a) && a.extension() != b.extension()) {
+  if (!fs::is_directory(a) && fs::path(whole_name(a)).extension() != fs::path(whole_name(b)).extension()) {
     throw InputError(
         fmt::format("{} and {} are files of two kinds, by the endings of their names; compare two of one",
                     a.string(), b.string()));

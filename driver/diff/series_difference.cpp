@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <set>
+#include <string_view>
 
 namespace tanktread::driver {
 namespace {
@@ -11,7 +12,7 @@ using Entries = std::vector<exchange::SeriesEntry>;
 
 std::set<std::string> names_of(const Entries& entries) {
   std::set<std::string> names;
-  for (const auto& entry : entries) names.insert(entry.file);
+  for (const auto& entry : entries) names.insert(whole_name(entry.file));
   return names;
 }
 
@@ -19,7 +20,7 @@ std::set<std::string> names_of(const Entries& entries) {
 Entries those(const Entries& entries, const std::set<std::string>& names, bool among) {
   Entries chosen;
   for (const auto& entry : entries) {
-    if (names.contains(entry.file) == among) chosen.push_back(entry);
+    if (names.contains(whole_name(entry.file)) == among) chosen.push_back(entry);
   }
   return chosen;
 }
@@ -35,12 +36,17 @@ void add_lonely(const Entries& entries, const char* where, DifferenceReport& rep
 bool same_files(const Entries& a, const Entries& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t k = 0; k < a.size(); ++k) {
-    if (a[k].file != b[k].file) return false;
+    if (whole_name(a[k].file) != whole_name(b[k].file)) return false;
   }
   return true;
 }
 
 }  // namespace
+
+std::string whole_name(const std::string& file) {
+  constexpr std::string_view of_index = ".pvti";
+  return file.ends_with(of_index) ? file.substr(0, file.size() - of_index.size()) + ".vti" : file;
+}
 
 void compare_series(const Entries& a, const Entries& b, DifferenceReport& report) {
   const auto names_a = names_of(a), names_b = names_of(b);

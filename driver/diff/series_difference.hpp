@@ -1,6 +1,7 @@
 // Two series (.pvd) compared: which files they name, and at which times.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "driver/diff/difference_report.hpp"
@@ -12,5 +13,8 @@ namespace tanktread::driver {
 /// belong together by the names of their files.
 void compare_series(const std::vector<exchange::SeriesEntry>& a, const std::vector<exchange::SeriesEntry>& b,
                     DifferenceReport& report);
+
+/// What a file is called where it is compared: a grid in pieces (.pvti) as one that is whole (.vti).
+std::string whole_name(const std::string& file);
 
 }  // namespace tanktread::driver

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "driver/packets/packet_files.hpp"
+#include "exchange/grid_pieces.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
@@ -22,6 +23,19 @@ void read_membranes(const std::filesystem::path& file, SavedState& state) {
     throw exchange::FileError(fmt::format("{}: of step {}, the fluid beside it of step {}", name,
                                           step_of(content.field_data, name), state.step));
   }
+}
+
+/// Of pieces the index alone.
+void read_fluid(const std::filesystem::path& folder, SavedState& state) {
+  const auto file = folder / fluid_state_file, index_file = folder / fluid_state_index;
+  if (!std::filesystem::exists(index_file)) {
+    state.fluid = state_of(exchange::read_grid(file), file.string());
+    return;
+  }
+  const auto index = exchange::read_grid_index(index_file);
+  check_schema_version(index.field_data, index_file.string());
+  state.fluid.step = step_of(index.field_data, index_file.string());
+  state.fluid_pieces = index_file;
 }
 
 std::vector<exchange::Array> program_arrays_of(const exchange::SurfacePacket& file,
@@ -49,8 +63,7 @@ std::optional<Case> read_state_case(const std::filesystem::path& folder) {
 SavedState read_state(const std::filesystem::path& folder) {
   SavedState state;
   state.folder = folder;
-  const auto fluid = folder / fluid_state_file;
-  state.fluid = state_of(exchange::read_grid(fluid), fluid.string());
+  read_fluid(folder, state);
   state.step = state.fluid.step;
   read_membranes(folder / membrane_state_file, state);
   state.the_case = read_state_case(folder);

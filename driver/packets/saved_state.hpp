@@ -19,6 +19,8 @@ namespace tanktread::driver {
 /// The files in such a folder: the solver's arrays (state_file, fluid_files.hpp), and all membranes with what
 /// they need to go on (membrane_file, add_state, membrane_files.hpp), and the case that made it (to_toml).
 inline constexpr const char* fluid_state_file = "fluid.vti";
+/// In its place where the fluid's state is in pieces: their index.
+inline constexpr const char* fluid_state_index = "fluid.pvti";
 inline constexpr const char* membrane_state_file = "membrane.vtu";
 inline constexpr const char* case_state_file = "echo.toml";
 
@@ -35,7 +37,8 @@ struct SavedState {
   MembraneShapes shapes;         ///< that its membranes were made from
   NodeVectors positions, node_velocity, node_force;
   std::vector<MembraneState> membranes;
-  fluid::State fluid;
+  fluid::State fluid;                  ///< without arrays if it is in pieces, which are large
+  std::filesystem::path fluid_pieces;  ///< their index; "": `fluid` has all
 };
 
 /// What the case names outside (meshes, programs) need not be there. @throws exchange::FileError

@@ -8,6 +8,7 @@
 
 #include "driver/program/errors.hpp"
 #include "driver/run/row_counts.hpp"
+#include "driver/system/fluid_output.hpp"
 
 namespace tanktread::driver {
 namespace {
@@ -77,7 +78,7 @@ void write_checkpoint(const System& system, const Case& the_case, const RowCount
                       const fs::path& directory) {
   const auto folder = folder_of(directory, in_use, system.step);
   const auto temporary = place_of(directory) / fmt::format(".step_{:010}.tmp", system.step);
-  write_state(temporary, system, the_case);
+  write_state(temporary, system, the_case, writes_pieces(system, the_case));
   write_row_counts(temporary / row_counts_file, counts);
   replace(folder, temporary);
   remove_old_checkpoints(directory);

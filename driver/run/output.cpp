@@ -7,7 +7,7 @@
 
 #include "driver/observe/energy.hpp"
 #include "driver/observe/measures.hpp"
-#include "driver/packets/fluid_files.hpp"
+#include "driver/system/fluid_output.hpp"
 #include "driver/system/membrane_files.hpp"
 #include "driver/units/laws.hpp"
 #include "exchange/vtk_files.hpp"
@@ -70,8 +70,8 @@ Output::Output(const Case& the_case, const Parameters& parameters, std::filesyst
                 OutputTable::Never::no_file),
       energy_(directory / "energy.csv", energy_header(term_names(parameters)), schedules.energy,
               OutputTable::Never::no_file),
-      membrane_(directory, "membrane", "vtu", schedules.membrane),
-      fluid_(directory, "fluid", "vti", schedules.fluid) {}
+      membrane_(directory, "membrane", {"vtu"}, schedules.membrane),
+      fluid_(directory, "fluid", {"vti", "pvti"}, schedules.fluid) {}
 
 void Output::begin() {
   observables_.begin();
@@ -132,9 +132,7 @@ void Output::write_membrane(const System& system) {
 }
 
 void Output::write_fluid(const System& system) {
-  exchange::write_grid(fluid_.file(system.step),
-                       flow_file(*system.fluid, case_.output.fluid_box, system.step, system.shear_time(),
-                                 system.inside ? system.inside->marks() : std::span<const std::int32_t>()));
+  write_flow(system, case_, fluid_.file(system.step).replace_extension());
   fluid_.wrote(system.step);
 }
 

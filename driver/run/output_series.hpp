@@ -10,18 +10,21 @@
 
 namespace tanktread::driver {
 
-/// DIR/NAME.pvd with DIR/NAME/NAME_STEP.EXTENSION. A series has an entry at each time at which this or
-/// another series of the run gets a file; where it has none of its own it names its last one again. ParaView
-/// shows at a time between two entries what the later one names: without the repetition, a state that is yet
-/// to come.
+/// DIR/NAME.pvd with DIR/NAME/NAME_STEP.EXTENSION; there may be files of several extensions, one a step. What
+/// a file is in pieces of lies in the folder DIR/NAME/NAME_STEP. A series has an entry at each time at which
+/// this or another series of the run gets a file; where it has none of its own it names its last one again.
+/// ParaView shows at a time between two entries what the later one names: without the repetition, a state
+/// that is yet to come.
 class OutputSeries {
  public:
-  OutputSeries(std::filesystem::path directory, std::string name, std::string extension, Schedule schedule);
+  /// @param extensions at least one
+  OutputSeries(std::filesystem::path directory, std::string name, std::vector<std::string> extensions,
+               Schedule schedule);
 
   /// Whether a file is due: by the schedule, or at the end of a run that writes any.
   bool due(std::int64_t step, bool last) const;
 
-  /// Where the file of a step goes.
+  /// Where the file of a step goes, with the first extension.
   std::filesystem::path file(std::int64_t step) const;
 
   /// Starts a new series without entries. @throws exchange::FileError
@@ -46,17 +49,20 @@ class OutputSeries {
   std::string remark(std::int64_t step, const std::vector<std::int64_t>& kept) const;
 
   /// Writes the .pvd of the files kept, with an entry at each of `times` (steps, ascending), then removes all
-  /// later files of this series, and those half written. @throws exchange::FileError
+  /// later files of this series with their pieces, and those half written. @throws exchange::FileError
   void cut(const std::vector<std::int64_t>& kept, const std::vector<std::int64_t>& times, double shear_rate);
 
  private:
-  std::string relative_file(std::int64_t step) const;
+  std::string relative_file(std::int64_t step, const std::string& extension) const;
+  std::string file_there(std::int64_t step) const;
+  bool is_left(const std::filesystem::path& path, const std::vector<std::int64_t>& kept) const;
   std::filesystem::path series() const { return directory_ / (name_ + ".pvd"); }
   std::int64_t step_of(const std::string& file_name) const;
   std::vector<std::int64_t> steps_there() const;
 
   std::filesystem::path directory_;
-  std::string name_, extension_;
+  std::string name_;
+  std::vector<std::string> extensions_;
   Schedule schedule_;
   std::int64_t last_ = no_step;
 

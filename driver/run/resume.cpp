@@ -71,6 +71,12 @@ std::string advice_for_damage(const fs::path& directory, const fs::path& folder,
                      exchange::shell_text(directory / "echo.toml"));
 }
 
+[[noreturn]] void refuse_damaged(const exchange::FileError& error, const fs::path& directory,
+                                 const fs::path& folder, const Case& the_case, const Output& output) {
+  throw InputError(fmt::format("{}\n{}: the checkpoint cannot be used; {}", error.what(), folder.string(),
+                               advice_for_damage(directory, folder, the_case, output)));
+}
+
 std::string advice_for_gap(std::optional<std::int64_t> other) {
   const std::string without =
       "or go on without what is missing, with --accept-gaps (move away first what cannot be read)";
@@ -89,14 +95,22 @@ ResumeStart find_start(const fs::path& directory, const Case& the_case, const Ou
   try {
     checkpoint = read_checkpoint(folder);
   } catch (const exchange::FileError& error) {
-    throw InputError(fmt::format("{}\n{}: the checkpoint cannot be used; {}", error.what(), folder.string(),
-                                 advice_for_damage(directory, folder, the_case, output)));
+    refuse_damaged(error, directory, folder, the_case, output);
   }
   try {
     return start_at(directory, folder, std::move(checkpoint), the_case, output, from.accept_gaps);
   } catch (const exchange::FileError& error) {
     throw InputError(fmt::format("{}\n{}", error.what(),
                                  advice_for_gap(other_start(directory, folder, the_case, output, false))));
+  }
+}
+
+void restore_start(System& system, const ResumeStart& start, const fs::path& directory, const Case& the_case,
+                   const Output& output) {
+  try {
+    restore(system, start.state);
+  } catch (const exchange::FileError& error) {
+    refuse_damaged(error, directory, start.folder, the_case, output);
   }
 }
 

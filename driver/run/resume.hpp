@@ -31,4 +31,9 @@ struct ResumeStart {
 ResumeStart find_start(const std::filesystem::path& directory, const Case& the_case, const Output& output,
                        const ResumeFrom& from);
 
+/// Sets a freshly made system to what find_start() has found. The fluid's state in pieces is read only here.
+/// @throws InputError as find_start()
+void restore_start(System& system, const ResumeStart& start, const std::filesystem::path& directory,
+                   const Case& the_case, const Output& output);
+
 }  // namespace tanktread::driver

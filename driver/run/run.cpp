@@ -240,10 +240,11 @@ int run_new(const Plan& plan, const RunOptions& options) {
   write_parameters(plan, options.output, commit);
   Output output(plan.the_case, plan.parameters, options.output);
   output.begin();
+  // Before the first files: large ones are written by all ranks.
+  if (!looks_between_phases(options.packets)) share_out(system, plan.the_case, plan.parameters);
   output.write(system, false);
   write_checkpoint(system, plan.the_case, output.row_counts(), options.output);
   const auto passage = make_passage(options.packets, plan, 0, options.output);
-  if (!looks_between_phases(options.packets)) share_out(system, plan.the_case, plan.parameters);
   return run_on(system, *passage, plan, output, options.output);
 }
 
@@ -275,7 +276,7 @@ int run_resumed(const ResumeOptions& options) {
         "it is, compared with nothing\n");
   }
   auto system = make_system(the_case, plan.parameters, start.state.shapes);
-  restore(system, start.state);
+  restore_start(system, start, directory, the_case, output);
   start.state.fluid = {};  // as large as the lattice itself
   begin_again(options, plan, start, output);
   const auto passage = make_passage(options.packets, plan, start.point.step, directory);

@@ -240,4 +240,17 @@ void FluidOnRanks::restore(const fluid::State& state) {
   }
 }
 
+void FluidOnRanks::restore_pieces(const std::filesystem::path& index) {
+  tell_all(order(Order::restore_pieces).put_text(index.string()).bytes());
+  auto first = restore_part(*own_, division_, 0, index);
+  for (int rank = 1; rank < world_.size(); ++rank) {
+    Unpacking message(world_.receive(rank));
+    auto answer = take_restore_answer(message);
+    if (first.error.empty()) first = std::move(answer);
+  }
+  if (first.error.empty()) return;
+  if (first.is_of_files) throw exchange::FileError(first.error);
+  throw std::invalid_argument(first.error);
+}
+
 }  // namespace tanktread::driver

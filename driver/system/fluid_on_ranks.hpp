@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <vector>
@@ -29,6 +30,8 @@ class FluidOnRanks final : public fluid::Fluid {
   fluid::Fluid& own_part() { return *own_; }
   const ranks::World& world() const { return world_; }
   const ranks::Division& division() const { return division_; }
+  /// Of nodes that have none of their own.
+  double base_viscosity() const { return base_viscosity_; }
 
   fluid::GridShape shape() const override { return shape_; }
   void velocity(std::span<const std::int64_t> nodes, std::span<double> velocity) const override;
@@ -48,6 +51,9 @@ class FluidOnRanks final : public fluid::Fluid {
   double step() override;
   fluid::State state() const override;
   void restore(const fluid::State& state) override;
+  /// Takes over a state in pieces (fluid_pieces.hpp), however they are cut: each rank reads its own block.
+  /// @throws exchange::FileError; std::invalid_argument as restore(), of the first rank that has an error
+  void restore_pieces(const std::filesystem::path& index);
 
  private:
   void tell_all(std::span<const std::byte> message) const;

@@ -30,7 +30,9 @@ class Follower {
       case Order::make_part: {
         const auto box = message.take<ranks::Box>();
         division_.emplace(box, message.take<ranks::Triple>());
-        part_ = make_part(world_, *division_, message.take<fluid::LatticeBoltzmannSettings>());
+        const auto settings = message.take<fluid::LatticeBoltzmannSettings>();
+        part_ = make_part(world_, *division_, settings);
+        base_viscosity_ = fluid::viscosity_of(settings);
         return true;
       }
       case Order::give_up_part:
@@ -45,6 +47,7 @@ class Follower {
       case Order::take_capsules:
       case Order::advance:
       case Order::collect:
+      case Order::write_pieces:
         of_system(order, message);
         return true;
       default:
@@ -70,6 +73,10 @@ class Follower {
         const auto step = system_->advance();
         if (!step.all_well) answer(packed(step.error));
         return;
+      }
+      case Order::write_pieces: {
+        const FluidPart part{world_, *division_, *part_, base_viscosity_, system_->marks()};
+        return answer(Packing().put_text(write_piece(part, take_pieces_order(message)).error));
       }
       default: {
         Packing packing;
@@ -123,6 +130,12 @@ class Follower {
         answer(packing);
         return true;
       }
+      case Order::restore_pieces: {
+        Packing packing;
+        pack(packing, restore_part(*part_, *division_, world_.rank(), message.take_text()));
+        answer(packing);
+        return true;
+      }
       default:
         change(order, message);
         return true;
@@ -157,6 +170,7 @@ class Follower {
   const ranks::World& world_;
   std::optional<ranks::Division> division_;
   std::unique_ptr<fluid::Fluid> part_;
+  double base_viscosity_ = 0;
   std::optional<SystemPart> system_;
   Nodes nodes_;  ///< that velocities and forces are of
 };

@@ -4,17 +4,18 @@
 
 #include <stdexcept>
 
-#include "driver/packets/fluid_files.hpp"
 #include "driver/program/errors.hpp"
+#include "driver/system/fluid_output.hpp"
 #include "driver/system/membrane_files.hpp"
 #include "driver/system/phases.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
 
-void write_state(const std::filesystem::path& folder, const System& system, const Case& the_case) {
+void write_state(const std::filesystem::path& folder, const System& system, const Case& the_case,
+                 bool in_pieces) {
   std::filesystem::create_directories(folder);
-  exchange::write_grid(folder / fluid_state_file, state_file(system.fluid->state(), system.fluid->shape()));
+  write_fluid_state(system, in_pieces, folder / std::filesystem::path(fluid_state_file).stem());
   auto membranes = membrane_file(system.membranes, system.node_velocity, system.node_force, system.step,
                                  system.shear_time());
   add_state(membranes, system.membranes);
@@ -31,7 +32,7 @@ void restore(System& system, const SavedState& state) {
   system.node_velocity = state.node_velocity;
   system.node_force = state.node_force;
   try {
-    system.fluid->restore(state.fluid);
+    restore_fluid(system, state);
     for (std::size_t k = 0; k < system.membranes.size(); ++k) {
       system.membranes[k].set_positions(state.positions[k]);
       system.membranes[k].restore(state.membranes[k]);

@@ -25,7 +25,7 @@ CapsuleState state_of(const System& system, std::size_t k) {
 }  // namespace
 
 SystemOnRanks::SystemOnRanks(FluidOnRanks& fluid, const Case& the_case, const Parameters& parameters)
-    : world_(fluid.world()), places_(fluid.division()), own_([&]() -> SystemPart {
+    : fluid_(fluid), world_(fluid.world()), places_(fluid.division()), own_([&]() -> SystemPart {
         auto message = order(Order::make_system);
         pack(message, the_case);
         tell_all(message.bytes());
@@ -111,6 +111,20 @@ void SystemOnRanks::collect(System& system) const {
   const auto surfaces = surfaces_of(system.membranes);
   build_stencils(*system.coupler, system.corrections, surfaces.positions, surfaces.triangles);
   if (system.inside) mark_inside(*system.inside, surfaces.positions, surfaces.triangles);
+}
+
+void SystemOnRanks::write_pieces(const PiecesOrder& what) const {
+  auto message = order(Order::write_pieces);
+  pack(message, what);
+  tell_all(message.bytes());
+  auto written = write_piece(
+      {world_, fluid_.division(), fluid_.own_part(), fluid_.base_viscosity(), own_.marks()}, what);
+  for (int rank = 1; rank < world_.size(); ++rank) {
+    auto error = ranks::Unpacking(world_.receive(rank)).take_text();
+    if (written.error.empty()) written.error = std::move(error);
+  }
+  if (!written.error.empty()) throw exchange::FileError(written.error);
+  write_index(fluid_.division(), what, written);
 }
 
 void share_out(System& system, const Case& the_case, const Parameters& parameters) {

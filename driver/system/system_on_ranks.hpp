@@ -6,6 +6,7 @@
 
 #include "driver/case/case.hpp"
 #include "driver/system/fluid_on_ranks.hpp"
+#include "driver/system/fluid_pieces.hpp"
 #include "driver/system/part_places.hpp"
 #include "driver/system/system.hpp"
 #include "driver/system/system_part.hpp"
@@ -34,10 +35,14 @@ class SystemOnRanks {
   /// Brings the capsules of the system up to date, and what follows from them: stencils, nodes inside.
   void collect(System& system) const;
 
+  /// Each rank writes its piece of the fluid, then the first one the index. @throws exchange::FileError
+  void write_pieces(const PiecesOrder& what) const;
+
  private:
   void tell_all(std::span<const std::byte> message) const;
   int owner_of(const Eigen::Matrix3Xd& positions) const;
 
+  FluidOnRanks& fluid_;
   const ranks::World& world_;
   PartPlaces places_;
   SystemPart own_;

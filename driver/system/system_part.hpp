@@ -59,6 +59,11 @@ class SystemPart {
   /// From t to t+1, as advance() of a whole system. Together.
   PartStep advance();
 
+  /// Marks of the nodes of the block; empty: the fluid has one viscosity.
+  std::span<const std::int32_t> marks() const {
+    return inside_ ? inside_->marks() : std::span<const std::int32_t>();
+  }
+
   /// Seconds of this rank's steps.
   const StepSeconds& seconds() const { return seconds_; }
 

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "exchange/grid_pieces.hpp"
 #include "tests/integration/diff_fixture.hpp"
 
 namespace tanktread::testing {
@@ -69,6 +70,45 @@ TEST_F(Diff, ComparesSeriesAndTheirFiles) {
           HasSubstr("\nmembrane/m_0.vtu: cell data area_ratio: max 2.5, "),
           HasSubstr("\nmembrane/m_1.vtu: only in the second\n"),
           HasSubstr("different: 2 of 6 arrays, 3 of 3 files")));
+}
+
+/// small_grid() in two pieces that share the middle layer along y, "fluid.pvti" in that directory.
+void put_pieces(const std::filesystem::path& directory, double density) {
+  auto piece = small_grid();
+  piece.nodes = {2, 2, 2};
+  piece.point_data[0].values.assign(8, density);
+  piece.point_data[1].values.resize(24);
+  GridIndex index{
+      {{0, 0, 0}, {2, 3, 2}}, piece.origin, piece.spacing, {{"density", 1}, {"velocity", 3}}, {}, {}};
+  std::filesystem::create_directories(directory / "fluid");
+  for (int k = 0; k < 2; ++k) {
+    piece.begin = {0, k, 0};
+    index.pieces.push_back({"fluid/" + std::to_string(k) + ".vti", {piece.begin, piece.nodes}});
+    write_grid(directory / index.pieces.back().file, piece);
+  }
+  write_grid_index(directory / "fluid.pvti", index);
+}
+
+TEST_F(Diff, AGridInPiecesIsTheGridThatTheyMake) {
+  for (const auto* name : {"a", "b"}) {
+    put_output(name);
+    write_series(directory_ / name / "fluid.pvd",
+                 {{1, std::string("fluid.") + (*name == 'a' ? "vti" : "pvti")}});
+  }
+  std::filesystem::remove(directory_ / "b/fluid.vti");
+  put_pieces(directory_ / "b", 1);
+  EXPECT_EQ(diff("a", "b").output, "identical: 6 files, 14 arrays\n");
+  EXPECT_EQ(diff("b", "a").exit_code, 0);
+  EXPECT_EQ(diff("a/fluid.vti", "b/fluid.pvti").output, "identical: 1 file, 5 arrays\n");
+  EXPECT_EQ(diff("a/fluid.pvd", "b/fluid.pvd").exit_code, 0);
+  put_pieces(directory_ / "b", 2);
+  const auto ended = diff("a", "b");
+  EXPECT_EQ(ended.exit_code, 1);
+  EXPECT_THAT(ended.output, HasSubstr("fluid.vti: point data density: max 1, rms 1, 12 of 12 values"));
+  std::filesystem::remove(directory_ / "b/fluid/1.vti");
+  const auto broken = diff("a", "b");
+  EXPECT_EQ(broken.exit_code, 2);
+  EXPECT_THAT(broken.output, HasSubstr("fluid/1.vti: no such file, a piece of "));
 }
 
 TEST_F(Diff, SeesTheOrderOfASeries) {

@@ -5,7 +5,7 @@ import re
 import struct
 import zlib
 
-from malformed_rows import TETRAHEDRON, TRIANGLES, Row, array, changed, field, grid, series, surface, vtk_file
+from malformed_rows import TETRAHEDRON, TRIANGLES, Row, array, changed, field, grid, index, series, surface, vtk_file
 
 GOOD = surface()
 
@@ -193,6 +193,34 @@ def in_two_pieces():
     return vtk_file("ImageData", pieces, 'WholeExtent="0 11 0 11 0 11" Origin="0.5 0.5 0.5" Spacing="1 1 1"')
 
 
+LOW, HIGH = "0 5 0 11 0 11", "5 11 0 11 0 11"
+
+
+def pieces(name, content, *message, **files):
+    """A grid of two pieces with an index; `files` in the place of theirs."""
+    halves = {f"{half}.vti": grid(extent, point_data=array("velocity", [0.0] * (3 * n * 12**2), 3)) for half, extent, n in (("low", LOW, 6), ("high", HIGH, 7))}
+    all_files = {"a.vtu": INSIDE, "g.pvti": content, **halves, **{f"{half}.vti": spoilt for half, spoilt in files.items()}}
+    return Row(name, "coupler interpolate --case case.toml --in a.vtu --grid g.pvti --out x.vtu", [*message], all_files)
+
+
+BOTH = index(("low.vti", LOW), ("high.vti", HIGH))
+
+IN_PIECES = [
+    pieces("an empty index", "", "g.pvti", "cut off, or not a VTK XML file"),
+    pieces("half an index", BOTH[: len(BOTH) // 2], "g.pvti", "cut off"),
+    pieces("an index that is a grid", grid(point_data=VELOCITY), "g.pvti", "is a grid (.vti), not the index"),
+    pieces("a piece that is not there", index(("low.vti", LOW), ("none.vti", HIGH)), "none.vti: no such file, a piece of g.pvti"),
+    pieces("pieces without a layer in common", index(("low.vti", LOW), ("high.vti", "6 11 0 11 0 11")), "g.pvti", "share one layer of nodes"),
+    pieces("a piece twice", index(("low.vti", LOW), ("low.vti", LOW)), "g.pvti", "have cells in common"),
+    pieces("a piece outside", index(("low.vti", LOW), ("high.vti", "5 12 0 11 0 11")), "g.pvti", "is no part of the grid"),
+    pieces("pieces of words", BOTH.replace(f'"{HIGH}"', '"a b c d e f"'), "g.pvti", "Extent"),
+    pieces("a piece of another extent", BOTH, "high.vti", "other than g.pvti says", high=grid(LOW, point_data=array("velocity", [0.0] * (3 * 6 * 12**2), 3))),
+    pieces("a piece without its array", BOTH, "high.vti", "has no array 'velocity'", high=grid(HIGH)),
+    pieces("a piece that is a surface", BOTH, "high.vti", "is a surface (.vtu), not a grid (.vti)", high=surface()),
+    pieces("pieces of 10^12 nodes", index(("low.vti", "0 9999 0 9999 0 9999"), extent="0 9999 0 9999 0 9999"), "g.pvti", "promises"),
+    pieces("pieces of arrays of no components", BOTH.replace('Components="3"', 'Components="0"'), "g.pvti", "NumberOfComponents"),
+]
+
 # What must go well: neighbours of rows, spoilt in nothing.
 ACCEPTED = [
     Row("a mesh", "mesh info cell.vtu", [], {"cell.vtu": GOOD}),
@@ -201,6 +229,7 @@ ACCEPTED = [
     Row("a packet", "coupler spread --case case.toml --in a.vtu --out x.vti", [], {"a.vtu": INSIDE}),
     Row("a grid", "coupler interpolate --case case.toml --in a.vtu --grid g.vti --out x.vtu", [], {"a.vtu": INSIDE, "g.vti": grid(point_data=VELOCITY)}),
     Row("a grid in two pieces", "coupler interpolate --case case.toml --in a.vtu --grid g.vti --out x.vtu", [], {"a.vtu": INSIDE, "g.vti": in_two_pieces()}),
+    pieces("a grid in pieces", BOTH),
 ]
 
-ROWS = [*HEADS, *CELLS, *PROMISES, *SHAPES, *PACKETS]
+ROWS = [*HEADS, *CELLS, *PROMISES, *SHAPES, *PACKETS, *IN_PIECES]

@@ -106,6 +106,12 @@ def grid(extent="0 11 0 11 0 11", origin="0.5 0.5 0.5", spacing="1 1 1", point_d
     return vtk_file("ImageData", body, f'WholeExtent="{extent}" Origin="{origin}" Spacing="{spacing}" {direction}', field_data)
 
 
+def index(*pieces, extent="0 11 0 11 0 11", point_data='<PDataArray type="Float64" Name="velocity" NumberOfComponents="3"/>'):
+    """A .pvti of pieces, each (file, extent)."""
+    body = f"<PPointData>{point_data}</PPointData>\n" + "".join(f'<Piece Extent="{of_piece}" Source="{file}"/>\n' for file, of_piece in pieces)
+    return vtk_file("PImageData", body, f'WholeExtent="{extent}" GhostLevel="0" Origin="0.5 0.5 0.5" Spacing="1 1 1"')
+
+
 def series(*entries):
     """A .pvd with these DataSet elements."""
     return (

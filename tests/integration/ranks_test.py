@@ -11,6 +11,8 @@ import time
 import unittest
 
 from post_fixture import ROOT, InFolder
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPImageDataReader
 
 # More ranks than processors, as root: what the two MPI of Debian want to be told.
 ENVIRONMENT = os.environ | {
@@ -78,10 +80,29 @@ RUNS = {
     "another kernel with its correction": (
         ["coupler.kernel=peskin4", "coupler.tangential_correction=true", "flow.viscosity_ratio=3"], CASE + SECOND, [3, "2,1,2"]),
     "in single precision": (["flow.storage=single", "flow.viscosity_ratio=0.5"], CASE + SECOND, [2, "1,3,1"]),
+    "a slice of the fluid, to the first nodes of a part": (["output.fluid_box=[[0,12],[3,3],[5,12]]"], CASE, ["1,1,9", "2,2,1"]),
     "a red cell": (
         ["capsule.0.mesh.shape=biconcave", "membrane.bending_modulus=0.02", "membrane.global_area_modulus=1",
          "membrane.volume_modulus=1"], CASE, [2]),
 }
+
+# Of these the runs on several ranks write the fluid in pieces, the run on one in one file.
+IN_PIECES = {
+    "over an edge and a corner of the cuts", "a viscosity contrast", "several, round a periodic box",
+    "across the cuts, with other owners on the way", "in single precision", "a slice of the fluid, to the first nodes of a part",
+}
+PIECES = ["--set", "output.whole_file_nodes=100"]
+
+
+def grid(reader, file):
+    """Extent, and arrays [z, y, x, component] by name."""
+    reader.SetFileName(str(file))
+    reader.Update()
+    data = reader.GetOutput()
+    extent, points = data.GetExtent(), data.GetPointData()
+    shape = [extent[2 * axis + 1] - extent[2 * axis] + 1 for axis in (2, 1, 0)]
+    return extent, {
+        points.GetArrayName(k): vtk_to_numpy(points.GetArray(k)).reshape(*shape, -1) for k in range(points.GetNumberOfArrays())}
 
 
 class OnRanks(InFolder):
@@ -108,12 +129,22 @@ class OnRanks(InFolder):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return done.stdout
 
+    def assert_in_pieces(self, folders, expected):
+        """Whether the fluid's files in the folders of that pattern are pieces with an index, or whole."""
+        found = [path for folder in self.folder.glob(folders) for path in folder.iterdir() if path.name.startswith("fluid") and path.is_file()]
+        self.assertTrue(found)
+        self.assertEqual({path.suffix for path in found}, {".pvti" if expected else ".vti"})
+        self.assertEqual(sorted(path.stem for path in found), sorted(
+            path.name if path.is_dir() else path.stem for folder in self.folder.glob(folders) for path in folder.glob("fluid*")
+            if path.is_dir() == expected))
+
     def assert_same(self, first, second):
         for run in (first, second):  # an earlier checkpoint has the case of that time: another run.shear_time
             for folder in sorted((self.folder / run / "checkpoints").glob("step_*"))[:-1]:
                 shutil.rmtree(folder)
-            for echo in (self.folder / run).rglob("echo.toml"):  # which says how the box was cut by hand
-                echo.write_text(re.sub(r"(?m)^ranks = .*$", "ranks = [0, 0, 0]", echo.read_text()))
+            for echo in (self.folder / run).rglob("echo.toml"):  # which says how the box was cut by hand, and what is in pieces
+                text = re.sub(r"(?m)^ranks = .*$", "ranks = [0, 0, 0]", echo.read_text())
+                echo.write_text(re.sub(r"(?m)^whole_file_nodes = .*$", "whole_file_nodes = 0", text))
         done = subprocess.run([self.program, "diff", first, second], cwd=self.folder, capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         for table in ("observables.csv", "measures.csv", "energy.csv"):
@@ -128,8 +159,11 @@ class Equal(OnRanks):
             self.run_well("run", "case.toml", "--force", "--output", "one", *settings)
             for ranks in shares:
                 with self.subTest(name, ranks=ranks):
-                    said = self.run_well("run", "case.toml", "--force", "--output", "many", *settings, ranks=ranks)
+                    pieces = PIECES if name in IN_PIECES else []
+                    said = self.run_well("run", "case.toml", "--force", "--output", "many", *settings, *pieces, ranks=ranks)
                     self.assertIn("ranks (", said)
+                    for place in ("fluid", "checkpoints/step_*"):
+                        self.assert_in_pieces(f"many/{place}", bool(pieces))
                     self.assert_same("one", "many")
 
     def test_a_checkpoint_of_some_ranks_goes_on_with_others(self):
@@ -146,6 +180,56 @@ class Equal(OnRanks):
         self.run_well("run", "--resume", "parts", "--shear-time", "0.06", ranks=4)
         self.assert_same("whole", "parts")
 
+    def test_in_pieces_a_run_goes_on_with_other_ranks(self):
+        """Of some ranks with others, and from one file to pieces and back."""
+        settings = ["--set", "flow.viscosity_ratio=3"]
+        self.run_well("run", "case.toml", "--output", "whole", *settings)
+        self.run_well("run", "case.toml", "--output", "parts", *settings, *PIECES, "--shear-time", "0.02", ranks=3)
+        self.run_well("run", "--resume", "parts", "--shear-time", "0.03", ranks=2)
+        self.assert_in_pieces("parts/checkpoints/step_*", True)
+        self.run_well("run", "--resume", "parts", "--shear-time", "0.04")
+        self.assert_in_pieces("parts/checkpoints/step_*", True)
+        self.run_well("run", "--resume", "parts", "--shear-time", "0.06", ranks=4)
+        self.assert_same("whole", "parts")
+        for run, pieces in (("parts", True), ("whole", False)):
+            self.run_well("run", "case.toml", "--force", "--output", run, *settings, *(PIECES if pieces else []), "--shear-time", "0.02", ranks=3)
+            echo = self.folder / run / "echo.toml"
+            echo.write_text(re.sub(r"(?m)^whole_file_nodes = .*$", f"whole_file_nodes = {16777216 if pieces else 100}", echo.read_text()))
+            self.run_well("run", "--resume", run, "--shear-time", "0.06", ranks=2)
+            self.assert_in_pieces(f"{run}/checkpoints/step_*27", not pieces)
+        self.assert_same("whole", "parts")
+
+    def test_each_piece_has_the_numbers_of_the_whole(self):
+        """In the layers too that it shares with its neighbours, which putting the pieces together does not look at."""
+        settings = ["--set", "flow.viscosity_ratio=3", "--set", "capsule.0.position=[12,10,9.3]"]
+        self.run_well("run", "case.toml", "--output", "whole", *settings)
+        self.run_well("run", "case.toml", "--output", "parts", *settings, *PIECES, ranks="2,2,2")
+        for index in ("fluid/fluid_0000000000", "fluid/fluid_0000000027", "checkpoints/step_0000000027/fluid"):
+            _, whole = grid(vtkXMLImageDataReader(), self.folder / f"whole/{index}.vti")
+            _, together = grid(vtkXMLPImageDataReader(), self.folder / f"parts/{index}.pvti")
+            self.assertEqual(set(whole), set(together))
+            for name in whole:
+                self.assertEqual(whole[name].tobytes(), together[name].tobytes(), name)
+            pieces = sorted((self.folder / "parts" / index).iterdir())
+            self.assertEqual(len(pieces), 8)
+            for piece in pieces:
+                (x0, x1, y0, y1, z0, z1), arrays = grid(vtkXMLImageDataReader(), piece)
+                for name, values in arrays.items():
+                    self.assertEqual(values.tobytes(), whole[name][z0 : z1 + 1, y0 : y1 + 1, x0 : x1 + 1].tobytes(), (piece, name))
+
+    def test_pieces_of_later_files_go(self):
+        """A run that goes on from an earlier checkpoint leaves no piece of what comes after it, and none that lacks its index."""
+        self.run_well("run", "case.toml", "--output", "whole")
+        self.run_well("run", "case.toml", "--output", "parts", *PIECES, ranks=3)
+        (self.folder / "parts/fluid/fluid_0000000010").mkdir()
+        (self.folder / "parts/fluid/fluid_0000000027.pvti").rename(self.folder / "parts/fluid/.fluid_0000000027.pvti.1-0.tmp")
+        self.run_well("run", "--resume", "parts", "--from-step", "18", "--shear-time", "0.046", ranks=2)
+        steps = ("fluid_0000000000", "fluid_0000000014", "fluid_0000000021")
+        self.assertEqual(
+            sorted(path.name for path in (self.folder / "parts/fluid").iterdir()), sorted([*steps, *(f"{step}.pvti" for step in steps)]))
+        self.assertEqual(len(list((self.folder / "parts/fluid/fluid_0000000021").iterdir())), 2)
+        self.run_well("run", "--resume", "parts", "--shear-time", "0.06", ranks=3)
+        self.assert_same("whole", "parts")
 
     def test_checkpoints_by_the_clock_change_nothing(self):
         """The last two are kept: with next to no time between them, of the last two steps."""
@@ -199,6 +283,30 @@ class Ended(OnRanks):
             with self.subTest(word):
                 self.assertIn(word, messages[0])
                 self.assertEqual(messages[1:], messages[:1] * 2)
+
+    def test_a_piece_that_cannot_be_read_is_named(self):
+        self.run_well("run", "case.toml", "--output", "out", *PIECES, ranks=3)
+        last = sorted((self.folder / "out/checkpoints").glob("step_*"))[-1]
+        piece = last / "fluid/1.vti"
+        content = piece.read_bytes()
+        changed = content[:-2000] + bytes([content[-2000] ^ 1]) + content[-1999:]
+        for spoil, word in (
+            (lambda: piece.write_bytes(changed), "their hash is not the file's"),
+            (lambda: piece.write_bytes((last / "fluid/2.vti").read_bytes()), "do not belong together"),
+            (piece.unlink, "no such file, a piece of"),
+        ):
+            spoil()
+            for ranks in (1, 2):
+                with self.subTest(word, ranks=ranks):
+                    before = sorted((self.folder / "out").rglob("*"))
+                    done = self.call("run", "--resume", "out", "--shear-time", "0.1", ranks=ranks)
+                    self.assertEqual(done.returncode, 2, done.stderr)
+                    self.assertEqual(done.stderr.count("tanktread: error:"), 1, done.stderr)
+                    self.assertIn("fluid/1.vti", done.stderr)
+                    self.assertIn(word, done.stderr)
+                    self.assertIn("--from-step 18", done.stderr)
+                    self.assertEqual(sorted((self.folder / "out").rglob("*")), before)
+        self.run_well("run", "--resume", "out", "--from-step", "18", ranks=2)
 
     def test_a_signal_to_the_first_rank_ends_the_run_with_a_checkpoint(self):
         child = self.started(2)
