@@ -20,6 +20,9 @@
 namespace tanktread::driver {
 namespace {
 
+/// The largest array of a state, which is there twice while a piece is written.
+constexpr double population_state_bytes = 19 * 8;
+
 /// Parts along an axis, one of each length and place (at the low end, at the high end, between).
 std::vector<int> kinds_along(const ranks::Division& division, int axis) {
   std::vector<int> found;
@@ -119,12 +122,17 @@ RankModel rank_model(const Case& the_case, const Cost& cost) {
 RankSubject rank_subject(const Case& the_case, const FlowParameters& parameters,
                          const std::vector<membrane::TriangleMesh>& meshes) {
   RankSubject subject{box_of_ranks(the_case), fluid_settings(the_case, parameters), 0, 0, {}};
-  subject.gathered_bytes = fluid::lattice_boltzmann_state_per_node;
   subject.node_bytes =
       fluid::lattice_boltzmann_force_memory_per_node + fluid::lattice_boltzmann_state_per_node;
+  const bool in_pieces = nodes_in(subject.box.n) > the_case.output.whole_file_nodes;
+  if (in_pieces) {
+    subject.node_bytes += population_state_bytes;  // with the layer of the neighbours, which the piece has
+  } else {
+    subject.gathered_bytes = fluid::lattice_boltzmann_state_per_node;
+  }
   if (has_contrast(the_case)) {
-    subject.node_bytes += 8 + 8;      // a viscosity, and that in a state
-    subject.gathered_bytes += 8 + 4;  // that in a state, a mark
+    subject.node_bytes += 8 + 8;                      // a viscosity, and that in a state
+    subject.gathered_bytes += in_pieces ? 4 : 8 + 4;  // a mark, and that in a state
   }
   for (std::size_t k = 0; k < meshes.size(); ++k) {
     const auto nodes = static_cast<double>(meshes[k].points.cols());
@@ -153,7 +161,7 @@ RankPlan rank_plan(const RankSubject& subject, const ranks::Division& division, 
   plan.membrane_memory_bytes = is_shared ? largest_share(subject, n_ranks).bytes : 0;
   if (n_ranks > 1) {
     plan.first_rank_bytes = subject.gathered_bytes * static_cast<double>(nodes_in(subject.box.n)) +
-                            largest_share(subject, 1).bytes - plan.membrane_memory_bytes;
+                            largest_share(subject, 1).bytes;
   }
   plan.membrane_seconds = membrane_seconds(subject, n_ranks, model);
   plan.efficiency = one_rank_seconds(subject, model) / (n_ranks * plan.step_seconds());

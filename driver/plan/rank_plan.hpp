@@ -50,7 +50,7 @@ struct RankSubject {
   ranks::Box box;
   fluid::LatticeBoltzmannSettings fluid;
   double node_bytes = 0;      ///< of memory a node, beside populations: force, viscosity, a state
-  double gathered_bytes = 0;  ///< a node of the box, on the first rank: a state of it for files, marks
+  double gathered_bytes = 0;  ///< a node of the box, on the first rank: marks, a state if files are whole
   struct Membrane {
     double nodes = 0, bytes = 0;  ///< bytes of memory
   };
@@ -70,7 +70,7 @@ struct RankPlan {
   std::int64_t message_bytes = 0;                           ///< of the part that sends most, all together
   double fluid_memory_bytes = 0;     ///< of a part: populations, halo, messages, force, state; of the largest
   double membrane_memory_bytes = 0;  ///< of the rank with most membrane nodes
-  double first_rank_bytes = 0;       ///< more on the first rank: the box gathered for files, all membranes
+  double first_rank_bytes = 0;       ///< more on the first rank: what it gathers of the box, all membranes
   double fluid_seconds = 0, message_seconds = 0;  ///< of a step, of the slowest part
   double membrane_seconds = 0;                    ///< likewise of the rank with most membrane nodes
   double efficiency = 0;                          ///< 0: not known, as all seconds
