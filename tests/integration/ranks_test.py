@@ -75,7 +75,7 @@ RUNS = {
         PERIODIC + SECOND, [3]),
     "away from a rank, which is then without any, and back": (
         ["flow.box=[40,12,12]", "capsule.0.radius=3", "capsule.0.position=[4,6,6]", "flow.body_force=[1e-3,0,0]", "flow.shear_rate=1e-2",
-         "run.shear_time=2.5", "run.checkpoint_every=5", "output.membrane_every=1", "output.fluid_every=0", "output.energy_every=1"],
+         "run.shear_time=2.5", "run.checkpoint_every=5", "output.membrane_every=1", "output.fluid_every=2", "output.energy_every=1"],
         PERIODIC, ["4,1,1"]),
     "another kernel with its correction": (
         ["coupler.kernel=peskin4", "coupler.tangential_correction=true", "flow.viscosity_ratio=3"], CASE + SECOND, [3, "2,1,2"]),
@@ -273,7 +273,7 @@ class Ended(OnRanks):
               "coupler.implicit_iterations=2"], "implicit viscous forces were not found"),
         ):
             messages = []
-            for ranks in (1, 2, "2,1,3"):
+            for ranks in (1, 2, "2,1,3") if "fluid" in word else (1, 3):
                 assignments = [part for setting in long + settings for part in ("--set", setting)]
                 done = self.call("run", "case.toml", "--output", "out", "--force", *assignments, ranks=ranks)
                 self.assertEqual(done.returncode, 3, done.stderr)
@@ -282,7 +282,7 @@ class Ended(OnRanks):
                 messages.append(lines[0])
             with self.subTest(word):
                 self.assertIn(word, messages[0])
-                self.assertEqual(messages[1:], messages[:1] * 2)
+                self.assertEqual(messages[1:], messages[:1] * (len(messages) - 1))
 
     def test_a_piece_that_cannot_be_read_is_named(self):
         self.run_well("run", "case.toml", "--output", "out", *PIECES, ranks=3)
@@ -318,7 +318,7 @@ class Ended(OnRanks):
 
     def test_threads_that_share_a_processor_are_told_of(self):
         library = subprocess.run([self.mpirun, "--version"], capture_output=True, text=True).stdout
-        if "Open MPI" not in library:
+        if not re.search("Open MPI|OpenRTE", library):
             self.skipTest("binds by an environment variable of Open MPI")
         for policy, threads, warned in (("core", "2", True), ("core", "1", False), ("none", "1", False)):
             environment = ENVIRONMENT | {"OMPI_MCA_hwloc_base_binding_policy": policy, "OMP_NUM_THREADS": threads}
