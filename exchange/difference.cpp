@@ -3,15 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+
+#include "exchange/same_bits.hpp"
 
 namespace tanktread::exchange {
 namespace {
-
-bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
 
 /// |a - b|, 0 for the same bits, where inf - inf would be NaN.
 double distance(double a, double b) {

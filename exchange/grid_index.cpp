@@ -6,9 +6,7 @@
 #include <vtkXMLDataParser.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <sstream>
 #include <string_view>
 
@@ -17,6 +15,7 @@
 #include "exchange/grid_head.hpp"
 #include "exchange/grid_pieces.hpp"
 #include "exchange/promised_sizes.hpp"
+#include "exchange/same_bits.hpp"
 #include "exchange/vtk_files.hpp"
 #include "exchange/whole_file.hpp"
 #include "exchange/xml_text.hpp"
@@ -246,13 +245,8 @@ GridIndex parse(const std::string& text, const path& file) {
 }
 
 bool same_arrays(const std::vector<Array>& a, const std::vector<Array>& b) {
-  const auto same_bits = [](double x, double y) {
-    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
-  };
-  return std::ranges::equal(a, b, [&](const Array& x, const Array& y) {
-    return x.name == y.name && x.components == y.components &&
-           std::ranges::equal(x.values, y.values, same_bits);
-  });
+  return std::ranges::equal(
+      a, b, [](const Array& x, const Array& y) { return x.name == y.name && same_bits(x, y); });
 }
 
 bool same_pieces(const std::vector<GridPiece>& a, const std::vector<GridPiece>& b) {

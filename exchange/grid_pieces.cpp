@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
-#include <cstdint>
 #include <stdexcept>
 
 #include "exchange/grid_file.hpp"
+#include "exchange/same_bits.hpp"
 
 namespace tanktread::exchange {
 namespace {
@@ -72,12 +71,6 @@ void copy(const Array& from, const GridBlock& from_block, const Range& range, Ar
       fmt::format("{}: {}, other than {} says, whose piece it is: they do not belong together; "
                   "write or copy both again",
                   piece.string(), what, file.string()));
-}
-
-bool same_bits(const Array& a, const Array& b) {
-  return a.components == b.components && std::ranges::equal(a.values, b.values, [](double x, double y) {
-           return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
-         });
 }
 
 /// What the index says of a piece is what the piece says of itself.

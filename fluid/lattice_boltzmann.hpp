@@ -98,7 +98,10 @@ inline constexpr int lattice_boltzmann_bytes_per_node(Storage storage) {
   return 2 * lattice_boltzmann_memory_per_node(storage);
 }
 
+/// Bytes of a node in the largest array of a state, its populations as doubles.
+inline constexpr int lattice_boltzmann_populations_per_node = 19 * 8;
+
 /// Bytes of a node in a state: populations and force, as doubles (8 more where each node has its viscosity).
-inline constexpr int lattice_boltzmann_state_per_node = (19 + 3) * 8;
+inline constexpr int lattice_boltzmann_state_per_node = lattice_boltzmann_populations_per_node + 3 * 8;
 
 }  // namespace tanktread::fluid

@@ -20,9 +20,6 @@
 namespace tanktread::driver {
 namespace {
 
-/// The largest array of a state, which is there twice while a piece is written.
-constexpr double population_state_bytes = 19 * 8;
-
 /// Parts along an axis, one of each length and place (at the low end, at the high end, between).
 std::vector<int> kinds_along(const ranks::Division& division, int axis) {
   std::vector<int> found;
@@ -89,8 +86,7 @@ void add_part(RankPlan& plan, const RankSubject& subject, const ranks::Division&
 }
 
 double membrane_seconds(const RankSubject& subject, int n_ranks, const RankModel& model) {
-  const int n_workers = model.membranes == MembraneWork::owners ? n_ranks : 1;
-  return model.membrane_node_seconds * largest_share(subject, n_workers).nodes;
+  return model.membrane_node_seconds * largest_share(subject, n_ranks).nodes;
 }
 
 /// Of the whole box on one rank, which sends nothing.
@@ -126,7 +122,8 @@ RankSubject rank_subject(const Case& the_case, const FlowParameters& parameters,
       fluid::lattice_boltzmann_force_memory_per_node + fluid::lattice_boltzmann_state_per_node;
   const bool in_pieces = nodes_in(subject.box.n) > the_case.output.whole_file_nodes;
   if (in_pieces) {
-    subject.node_bytes += population_state_bytes;  // with the layer of the neighbours, which the piece has
+    // The largest array is there twice while a piece is written: with the layer of its neighbours.
+    subject.node_bytes += fluid::lattice_boltzmann_populations_per_node;
   } else {
     subject.gathered_bytes = fluid::lattice_boltzmann_state_per_node;
   }
@@ -157,8 +154,7 @@ RankPlan rank_plan(const RankSubject& subject, const ranks::Division& division, 
   RankPlan plan;
   plan.parts = division.parts();
   for (const int rank : kinds_of_parts(division)) add_part(plan, subject, division, rank, model);
-  const bool is_shared = model.membranes == MembraneWork::owners || n_ranks == 1;
-  plan.membrane_memory_bytes = is_shared ? largest_share(subject, n_ranks).bytes : 0;
+  plan.membrane_memory_bytes = largest_share(subject, n_ranks).bytes;
   if (n_ranks > 1) {
     plan.first_rank_bytes = subject.gathered_bytes * static_cast<double>(nodes_in(subject.box.n)) +
                             largest_share(subject, 1).bytes;

@@ -21,25 +21,18 @@ inline std::int64_t nodes_in(const ranks::Triple& n) {
   return std::int64_t{n[0]} * n[1] * n[2];
 }
 
-/// Who does the work of membranes and coupler.
-enum class MembraneWork {
-  first_rank,  ///< all of it, while the others wait
-  owners,      ///< each rank that of its own capsules, as many as the others or one less
-};
-
 /// What the model takes as given. Seconds of a step on N ranks:
 ///
 ///   t(N) = max over parts of (n s + m l + b/B) + q c,   efficiency = t(1)/(N t(N))
 ///
 /// n nodes of the part, m messages and b bytes that it sends (as many come at the same time); q membrane
-/// nodes of the rank that has the most, which is taken to have the ceil(M/N) largest of the M capsules
-/// (MembraneWork). Left out: what is computed while messages travel; cores that share a memory or a network.
+/// nodes of the rank that has the most, which is taken to have the ceil(M/N) largest of the M capsules.
+/// Left out: what is computed while messages travel; cores that share a memory or a network.
 struct RankModel {
   double node_seconds = 0;           ///< s, of the fluid's step; 0: not measured
   double membrane_node_seconds = 0;  ///< c, of the rest of a step, a membrane node
   double latency_seconds = 0;        ///< l, a message
   double bytes_per_second = std::numeric_limits<double>::infinity();  ///< B, each way
-  MembraneWork membranes = MembraneWork::owners;
 };
 
 /// Of a case: run.message_latency_us, run.message_bandwidth_GB_s, and what was measured.

@@ -50,13 +50,10 @@ void put_memory(EchoTable& table, const RankPlan& plan) {
             "what it gathers of the box, all membranes", plan.first_rank_bytes > 0);
 }
 
-void put_capsules(EchoTable& table, const RankPlan& plan, const RankSubject& subject,
-                  const RankModel& model) {
+void put_capsules(EchoTable& table, const RankPlan& plan, const RankSubject& subject) {
   const auto n_capsules = static_cast<std::int64_t>(subject.membranes.size());
-  const bool are_shared = model.membranes == MembraneWork::owners;
-  table.row("capsules of a rank",
-            fmt::format("{}", are_shared ? capsules_of_a_rank(n_capsules, plan.n_ranks()) : n_capsules), "",
-            are_shared ? "at most, if they are shared evenly" : "all on the first rank", n_capsules > 0);
+  table.row("capsules of a rank", fmt::format("{}", capsules_of_a_rank(n_capsules, plan.n_ranks())), "",
+            "at most, if they are shared evenly", n_capsules > 0);
 }
 
 void put_times(EchoTable& table, const RankPlan& plan) {
@@ -109,7 +106,7 @@ std::string rank_report(const Plan& plan, const ranks::Division& division) {
   table.section(fmt::format("on {} ranks, by the model of docs/many-ranks.md", division.n_ranks()));
   put_parts(table, numbers);
   put_messages(table, numbers);
-  put_capsules(table, numbers, subject, model);
+  put_capsules(table, numbers, subject);
   put_memory(table, numbers);
   put_times(table, numbers);
   EchoTable warnings(false);

@@ -42,17 +42,13 @@ FluidOnRanks::FluidOnRanks(const ranks::World& world, const ranks::Division& div
       changed_(division) {
   auto message = order(Order::make_part);
   message.put(division.box()).put(division.parts()).put(settings);
-  tell_all(message.bytes());
+  tell_others(world_, message.bytes());
   own_ = make_part(world, division, settings);
 }
 
 FluidOnRanks::~FluidOnRanks() {
-  tell_all(order(Order::give_up_part).bytes());
+  tell_others(world_, order(Order::give_up_part).bytes());
   end_exchange(*own_);
-}
-
-void FluidOnRanks::tell_all(std::span<const std::byte> message) const {
-  for (int rank = 1; rank < world_.size(); ++rank) world_.send(rank, message);
 }
 
 const std::vector<NodeShare>& FluidOnRanks::shares_of(std::span<const std::int64_t> nodes) const {
@@ -66,7 +62,7 @@ const std::vector<NodeShare>& FluidOnRanks::shares_of(std::span<const std::int64
 void FluidOnRanks::velocity(std::span<const std::int64_t> nodes, std::span<double> velocity) const {
   check_size("velocity()", velocity.size(), 3 * nodes.size());
   const auto& shares = shares_of(nodes);
-  tell_all(order(Order::velocity).bytes());
+  tell_others(world_, order(Order::velocity).bytes());
   std::vector<double> own(3 * shares[0].nodes.size());
   own_->velocity(shares[0].nodes, own);
   place(own, 3, shares[0], velocity);
@@ -78,7 +74,7 @@ void FluidOnRanks::free_velocity(std::span<const std::int64_t> nodes, std::span<
   check_size("free_velocity()", velocity.size(), 3 * nodes.size());
   check_size("free_velocity(): mobility", mobility.size(), nodes.size());
   const auto& shares = shares_of(nodes);
-  tell_all(order(Order::free_velocity).bytes());
+  tell_others(world_, order(Order::free_velocity).bytes());
   const std::size_t n_own = shares[0].nodes.size();
   std::vector<double> own_velocity(3 * n_own), own_mobility(n_own);
   own_->free_velocity(shares[0].nodes, own_velocity, own_mobility);
@@ -96,20 +92,20 @@ std::vector<double> FluidOnRanks::answer_of(int rank) const {
 
 void FluidOnRanks::dissipation(std::span<double> power) const {
   check_size("dissipation()", power.size(), static_cast<std::size_t>(shape_.size()));
-  tell_all(order(Order::dissipation).bytes());
+  tell_others(world_, order(Order::dissipation).bytes());
   gather(power_in(*own_, &fluid::Fluid::dissipation), 1, power);
 }
 
 void FluidOnRanks::wall_power(std::span<double> power) const {
   check_size("wall_power()", power.size(), static_cast<std::size_t>(shape_.size()));
-  tell_all(order(Order::wall_power).bytes());
+  tell_others(world_, order(Order::wall_power).bytes());
   gather(power_in(*own_, &fluid::Fluid::wall_power), 1, power);
 }
 
 void FluidOnRanks::moments(std::span<double> density, std::span<double> velocity) const {
   check_size("moments(): density", density.size(), static_cast<std::size_t>(shape_.size()));
   check_size("moments(): velocity", velocity.size(), 3 * static_cast<std::size_t>(shape_.size()));
-  tell_all(order(Order::moments).bytes());
+  tell_others(world_, order(Order::moments).bytes());
   const auto n = static_cast<std::size_t>(own_->shape().size());
   std::vector<double> own_density(n), own_velocity(3 * n);
   own_->moments(own_density, own_velocity);
@@ -137,12 +133,12 @@ void FluidOnRanks::add_force(std::span<const std::int64_t> nodes, std::span<cons
 }
 
 void FluidOnRanks::clear_force() {
-  tell_all(order(Order::clear_force).bytes());
+  tell_others(world_, order(Order::clear_force).bytes());
   own_->clear_force();
 }
 
 std::span<const double> FluidOnRanks::force() const {
-  tell_all(order(Order::force).bytes());
+  tell_others(world_, order(Order::force).bytes());
   force_.resize(3 * static_cast<std::size_t>(shape_.size()));
   gather(own_->force(), 3, force_);
   return force_;
@@ -176,7 +172,7 @@ void FluidOnRanks::set_viscosity(std::span<const std::int64_t> nodes,
 }
 
 double FluidOnRanks::step() {
-  tell_all(order(Order::step).bytes());
+  tell_others(world_, order(Order::step).bytes());
   auto first = step_of(*own_);
   double highest = first.highest_speed;
   for (int rank = 1; rank < world_.size(); ++rank) {
@@ -205,7 +201,7 @@ void FluidOnRanks::add_part(const fluid::State& part, int rank, fluid::State& st
 }
 
 fluid::State FluidOnRanks::state() const {
-  tell_all(order(Order::state).bytes());
+  tell_others(world_, order(Order::state).bytes());
   fluid::State state;
   {
     const fluid::State own = own_->state();
@@ -241,7 +237,7 @@ void FluidOnRanks::restore(const fluid::State& state) {
 }
 
 void FluidOnRanks::restore_pieces(const std::filesystem::path& index) {
-  tell_all(order(Order::restore_pieces).put_text(index.string()).bytes());
+  tell_others(world_, order(Order::restore_pieces).put_text(index.string()).bytes());
   auto first = restore_part(*own_, division_, 0, index);
   for (int rank = 1; rank < world_.size(); ++rank) {
     Unpacking message(world_.receive(rank));

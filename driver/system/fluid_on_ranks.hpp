@@ -56,7 +56,6 @@ class FluidOnRanks final : public fluid::Fluid {
   void restore_pieces(const std::filesystem::path& index);
 
  private:
-  void tell_all(std::span<const std::byte> message) const;
   /// Tells the others which nodes are meant, if they are not those of before.
   const std::vector<NodeShare>& shares_of(std::span<const std::int64_t> nodes) const;
   std::vector<double> answer_of(int rank) const;

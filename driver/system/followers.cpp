@@ -187,7 +187,7 @@ void follow(const ranks::World& world) {
 }
 
 void end_followers(const ranks::World& world) {
-  for (int rank = 1; rank < world.size(); ++rank) world.send(rank, Packing().put(Order::end).bytes());
+  tell_others(world, order(Order::end).bytes());
 }
 
 }  // namespace tanktread::driver

@@ -12,8 +12,7 @@ std::unique_ptr<coupler::InsideMarks> make_inside(const Case& the_case) {
 
 GridMarks mark_inside(coupler::InsideMarks& marks, const NodeVectors& positions,
                       const std::vector<Eigen::Matrix3Xi>& triangles, bool anew) {
-  std::vector<std::span<const int>> corners;
-  for (const auto& matrix : triangles) corners.push_back(numbers_of(matrix));
+  const auto corners = corners_of(triangles);
   if (anew) {
     marks.mark(views(positions), corners);
   } else {

@@ -26,12 +26,9 @@ std::size_t numbers_in(const ranks::Division& division, int rank, int components
 
 NodeShares::NodeShares(const ranks::Division& division)
     : shape_{division.box().n[0], division.box().n[1], division.box().n[2]},
-      parts_(division.parts()),
+      part_places_(division),
       shares_(static_cast<std::size_t>(division.n_ranks())) {
   for (int rank = 0; rank < division.n_ranks(); ++rank) blocks_.push_back(division.block(rank));
-  for (int x = 0; x < shape_.nx; ++x) part_x_.push_back(division.place(division.owner({x, 0, 0}))[0]);
-  for (int y = 0; y < shape_.ny; ++y) part_y_.push_back(division.place(division.owner({0, y, 0}))[1]);
-  for (int z = 0; z < shape_.nz; ++z) part_z_.push_back(division.place(division.owner({0, 0, z}))[2]);
 }
 
 bool NodeShares::divide(std::span<const std::int64_t> nodes) {
@@ -56,10 +53,10 @@ bool NodeShares::divide(std::span<const std::int64_t> nodes) {
       row_end = row_begin + shape_.nx;
       y = static_cast<int>(row % shape_.ny);
       z = static_cast<int>(row / shape_.ny);
-      first_of_row = (part_z_[z] * parts_[1] + part_y_[y]) * parts_[0];
+      first_of_row = part_places_.rank_of({0, part_places_.part_of(1, y), part_places_.part_of(2, z)});
     }
     const auto x = static_cast<int>(node - row_begin);
-    const int rank = first_of_row + part_x_[x];
+    const int rank = first_of_row + part_places_.part_of(0, x);
     const auto& [begin, n] = blocks_[rank];
     shares_[rank].nodes.push_back((std::int64_t{z - begin[2]} * n[1] + (y - begin[1])) * n[0] +
                                   (x - begin[0]));

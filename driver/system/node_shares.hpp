@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "driver/system/part_places.hpp"
 #include "fluid/fluid.hpp"
 #include "ranks/division.hpp"
 
@@ -31,9 +32,8 @@ class NodeShares {
 
  private:
   fluid::GridShape shape_;
-  ranks::Triple parts_;
-  std::vector<ranks::Block> blocks_;           ///< of each rank
-  std::vector<int> part_x_, part_y_, part_z_;  ///< the part that has each position along an axis
+  PartPlaces part_places_;
+  std::vector<ranks::Block> blocks_;  ///< of each rank
   std::vector<std::int64_t> nodes_;
   std::vector<NodeShare> shares_;
 };

@@ -28,4 +28,11 @@ inline std::vector<std::span<double>> targets_of(NodeVectors& vectors) {
   return spans;
 }
 
+/// The corners of triangles, one span a capsule.
+inline std::vector<std::span<const int>> corners_of(const std::vector<Eigen::Matrix3Xi>& triangles) {
+  std::vector<std::span<const int>> spans;
+  for (const auto& matrix : triangles) spans.push_back(numbers_of(matrix));
+  return spans;
+}
+
 }  // namespace tanktread::driver

@@ -51,6 +51,11 @@ inline ranks::Packing order(Order which) {
   return packing;
 }
 
+/// Sends a message of the first rank to all others.
+inline void tell_others(const ranks::World& world, std::span<const std::byte> message) {
+  for (int rank = 1; rank < world.size(); ++rank) world.send(rank, message);
+}
+
 /// How a step of a part ended.
 struct StepAnswer {
   double highest_speed = 0;

@@ -6,12 +6,6 @@
 namespace tanktread::driver {
 namespace {
 
-std::vector<std::span<const int>> spans_of(const std::vector<Eigen::Matrix3Xi>& triangles) {
-  std::vector<std::span<const int>> spans;
-  for (const auto& matrix : triangles) spans.push_back(numbers_of(matrix));
-  return spans;
-}
-
 void keep_volume(const Surfaces& surfaces, const std::vector<std::span<double>>& velocity) {
   const auto positions = views(surfaces.positions);
   for (std::size_t k = 0; k < velocity.size(); ++k) {
@@ -25,7 +19,7 @@ void build_stencils(coupler::Coupler& coupler, const NodeCorrections& correction
                     const NodeVectors& positions, const std::vector<Eigen::Matrix3Xi>& triangles) {
   std::vector<coupler::ShearDipole> dipoles;
   if (!corrections.dipole_lengths.empty()) {
-    const auto normals = corrections.normals->find(views(positions), spans_of(triangles));
+    const auto normals = corrections.normals->find(views(positions), corners_of(triangles));
     for (std::size_t k = 0; k < normals.size(); ++k)
       dipoles.push_back({normals[k], corrections.dipole_lengths[k]});
   }
@@ -57,7 +51,7 @@ void correct_velocity(const coupler::Coupler& coupler, const NodeCorrections& co
                       const Surfaces& surfaces, const NodeVectors& force, NodeVectors& velocity) {
   const auto targets = targets_of(velocity);
   if (corrections.along_membrane) {
-    const auto normals = corrections.normals->find(views(surfaces.positions), spans_of(surfaces.triangles));
+    const auto normals = corrections.normals->find(views(surfaces.positions), corners_of(surfaces.triangles));
     corrections.along_membrane->add(coupler, normals, views(force), targets);
   }
   if (corrections.keeps_volume) keep_volume(surfaces, targets);

@@ -28,16 +28,12 @@ SystemOnRanks::SystemOnRanks(FluidOnRanks& fluid, const Case& the_case, const Pa
     : fluid_(fluid), world_(fluid.world()), places_(fluid.division()), own_([&]() -> SystemPart {
         auto message = order(Order::make_system);
         pack(message, the_case);
-        tell_all(message.bytes());
+        tell_others(world_, message.bytes());
         return {fluid.world(), fluid.division(), fluid.own_part(), the_case, parameters};
       }()) {}
 
 SystemOnRanks::~SystemOnRanks() {
-  tell_all(order(Order::give_up_system).bytes());
-}
-
-void SystemOnRanks::tell_all(std::span<const std::byte> message) const {
-  for (int rank = 1; rank < world_.size(); ++rank) world_.send(rank, message);
+  tell_others(world_, order(Order::give_up_system).bytes());
 }
 
 int SystemOnRanks::owner_of(const Eigen::Matrix3Xd& positions) const {
@@ -74,7 +70,7 @@ void SystemOnRanks::share_out(const System& system) {
 }
 
 void SystemOnRanks::advance(System& system) {
-  tell_all(order(Order::advance).bytes());
+  tell_others(world_, order(Order::advance).bytes());
   const auto step = own_.advance();
   system.seconds = own_.seconds();
   if (!step.all_well) {
@@ -93,7 +89,7 @@ void SystemOnRanks::advance(System& system) {
 }
 
 void SystemOnRanks::collect(System& system) const {
-  tell_all(order(Order::collect).bytes());
+  tell_others(world_, order(Order::collect).bytes());
   const auto take = [&](const std::vector<CapsuleState>& states) {
     for (const auto& state : states) {
       auto& membrane = system.membranes[state.number];
@@ -116,7 +112,7 @@ void SystemOnRanks::collect(System& system) const {
 void SystemOnRanks::write_pieces(const PiecesOrder& what) const {
   auto message = order(Order::write_pieces);
   pack(message, what);
-  tell_all(message.bytes());
+  tell_others(world_, message.bytes());
   auto written = write_piece(
       {world_, fluid_.division(), fluid_.own_part(), fluid_.base_viscosity(), own_.marks()}, what);
   for (int rank = 1; rank < world_.size(); ++rank) {

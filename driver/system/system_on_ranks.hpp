@@ -39,7 +39,6 @@ class SystemOnRanks {
   void write_pieces(const PiecesOrder& what) const;
 
  private:
-  void tell_all(std::span<const std::byte> message) const;
   int owner_of(const Eigen::Matrix3Xd& positions) const;
 
   FluidOnRanks& fluid_;

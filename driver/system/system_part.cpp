@@ -26,25 +26,13 @@ int reach_of(const coupler::Kernel& kernel) {
   return static_cast<int>(std::ceil(kernel.half_width)) + 1;
 }
 
-/// The case of some of its capsules alone.
-Case with_capsules(const Case& the_case, std::span<const std::size_t> numbers) {
-  Case result = the_case;
+/// A case, or its parameters, with some of the capsules alone.
+template <class OfCapsules>
+OfCapsules with_capsules(const OfCapsules& all, std::span<const std::size_t> numbers) {
+  OfCapsules result = all;
   result.capsules.clear();
-  for (const std::size_t number : numbers) result.capsules.push_back(the_case.capsules[number]);
+  for (const std::size_t number : numbers) result.capsules.push_back(all.capsules[number]);
   return result;
-}
-
-Parameters with_capsules(const Parameters& parameters, std::span<const std::size_t> numbers) {
-  Parameters result = parameters;
-  result.capsules.clear();
-  for (const std::size_t number : numbers) result.capsules.push_back(parameters.capsules[number]);
-  return result;
-}
-
-std::vector<std::span<const int>> corners_of(const Surfaces& surfaces) {
-  std::vector<std::span<const int>> corners;
-  for (const auto& matrix : surfaces.triangles) corners.push_back(numbers_of(matrix));
-  return corners;
 }
 
 NearCapsules nothing_near(std::size_t n_capsules) {
@@ -189,7 +177,7 @@ void SystemPart::correct_along_membranes(FirstError& error, const NodeVectors& f
   if (!corrections_.along_membrane) return;
   const auto& correction = *corrections_.along_membrane;
   const auto normals = timed(seconds_.correction, [&] {
-    return corrections_.normals->find(views(near_.surfaces.positions), corners_of(near_.surfaces));
+    return corrections_.normals->find(views(near_.surfaces.positions), corners_of(near_.surfaces.triangles));
   });
   error.guard(StepPhase::correction, [&] {
     timed(seconds_.correction, [&] { correction.spread(coupler_, normals, views(force), on_grid_); });

@@ -33,8 +33,7 @@ RankModel some_model() {
   return {.node_seconds = 0x1p-20,
           .membrane_node_seconds = 0x1p-14,
           .latency_seconds = 0x1p-10,
-          .bytes_per_second = 0x1p20,
-          .membranes = MembraneWork::owners};
+          .bytes_per_second = 0x1p20};
 }
 
 /// No capsule, and nothing that a message takes.
@@ -138,16 +137,12 @@ TEST(RankPlan, HasTheMessagesOfRealParts) {
 
 TEST(RankPlan, OfOneRankHasAnEfficiencyOfOne) {
   const auto subject = subject_of(parse(full_case));
-  for (const auto work : {MembraneWork::first_rank, MembraneWork::owners}) {
-    auto model = some_model();
-    model.membranes = work;
-    const auto plan = rank_plan(subject, ranks::least_surface(subject.box, 1), model);
-    EXPECT_EQ(plan.efficiency, 1);
-    EXPECT_EQ(plan.n_messages, 0);
-    EXPECT_EQ(plan.message_bytes, 0);
-    EXPECT_EQ(plan.halo_nodes, 0);
-    EXPECT_EQ(plan.first_rank_bytes, 0);
-  }
+  const auto plan = rank_plan(subject, ranks::least_surface(subject.box, 1), some_model());
+  EXPECT_EQ(plan.efficiency, 1);
+  EXPECT_EQ(plan.n_messages, 0);
+  EXPECT_EQ(plan.message_bytes, 0);
+  EXPECT_EQ(plan.halo_nodes, 0);
+  EXPECT_EQ(plan.first_rank_bytes, 0);
 }
 
 // 44 layers in seven parts are 6 or 7.
@@ -199,21 +194,23 @@ TEST(RankPlan, OfMoreRanksTakesLessTimeAndMemoryButIsLessEfficient) {
   }
 }
 
-// Capsules of 2562 and 642 nodes: two ranks have one each, and the larger counts; all are the first rank's
-// where they are not shared.
+// Capsules of 2562 and 642 nodes: two ranks have one each, and the larger counts. The first one has all of
+// them beside its own, and a state of the box, but for one in pieces, of which each rank has its largest
+// array twice.
 TEST(RankPlan, SharesCapsules) {
   const auto subject = subject_of(parse(full_case));
   ASSERT_EQ(subject.membranes.size(), 2u);
   const auto division = ranks::least_surface(subject.box, 2);
-  auto model = some_model();
-  EXPECT_EQ(rank_plan(subject, division, model).membrane_seconds, 2562 * 0x1p-14);
-  EXPECT_EQ(rank_plan(subject, division, model).membrane_memory_bytes, subject.membranes[0].bytes);
-  model.membranes = MembraneWork::first_rank;
-  const auto plan = rank_plan(subject, division, model);
-  EXPECT_EQ(plan.membrane_seconds, (2562 + 642) * 0x1p-14);
-  EXPECT_EQ(plan.membrane_memory_bytes, 0);
-  EXPECT_EQ(plan.first_rank_bytes,
-            40 * 50 * 60 * 176.0 + subject.membranes[0].bytes + subject.membranes[1].bytes);
+  const auto plan = rank_plan(subject, division, some_model());
+  EXPECT_EQ(plan.membrane_seconds, 2562 * 0x1p-14);
+  EXPECT_EQ(plan.membrane_memory_bytes, subject.membranes[0].bytes);
+  const double membranes = subject.membranes[0].bytes + subject.membranes[1].bytes;
+  EXPECT_EQ(plan.first_rank_bytes, 40 * 50 * 60 * 176.0 + membranes);
+  auto cut = parse(full_case);
+  cut.output.whole_file_nodes = 1;
+  const auto in_pieces = rank_plan(subject_of(cut), division, some_model());
+  EXPECT_EQ(in_pieces.first_rank_bytes, membranes);
+  EXPECT_EQ(in_pieces.fluid_memory_bytes - plan.fluid_memory_bytes, 20 * 50 * 60 * 152.0);
   EXPECT_EQ(capsules_of_a_rank(1000, 999), 2);
   EXPECT_EQ(capsules_of_a_rank(1000, 100'000), 1);
   EXPECT_EQ(capsules_of_a_rank(0, 8), 0);
