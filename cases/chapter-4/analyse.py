@@ -1,7 +1,7 @@
 """The matrix of viscosity ratio and membrane viscosity of the thesis's Chapter 4: what each run comes to, and what the thesis says of it.
 
 gathered.py brings together what is known of the runs: readings.py (one run in numbers), histories.py (in time), tanktread_post.outlines (in the shear plane). verdicts.py,
-statements.py and remarks.py hold it against the thesis, figures.py and shape_figures.py draw. A run without output is taken from measured/; one that is in neither is
+statements.py and remarks.py hold it against the thesis, fine.py holds a finer grid against the matrix, figures.py and shape_figures.py draw. A run without output is taken from measured/; one that is in neither is
 named as missing. So `plot` and `compare` of an empty folder draw and print what is kept.
 """
 
@@ -14,8 +14,8 @@ from tanktread_post.reference import number_in, read_table
 from tanktread_post.table import Table
 
 HERE = pathlib.Path(__file__).parent
-gathered, verdicts, statements, remarks, membrane_speed, figures, shape_figures = (
-    module_of(HERE / f"{name}.py") for name in ("gathered", "verdicts", "statements", "remarks", "membrane_speed", "figures", "shape_figures")
+gathered, verdicts, statements, remarks, membrane_speed, fine, figures, shape_figures = (
+    module_of(HERE / f"{name}.py") for name in ("gathered", "verdicts", "statements", "remarks", "membrane_speed", "fine", "figures", "shape_figures")
 )
 readings, histories, outlines = gathered.readings, gathered.histories, gathered.outlines
 
@@ -23,6 +23,7 @@ SETTINGS = (
     (
         "means_over", "turning_over", "printed", "spans", "crossings", "bands", "span_bands", "volume_band", "dilatational_band",
         "least_inclination_between", "outline_at", "deforming", "deforming_at", "marker_means_over",
+        "fine_over",
     ),
     (),
 )  # fmt: skip
@@ -35,11 +36,23 @@ COLUMNS = (  # of the table of runs: heading, digits, member of Reading
 )  # fmt: skip
 
 
-def _wanted(case):
-    """{(lambda, Bq_s, Bq_d): run} of all runs of the case."""
-    file = pathlib.Path(case) / "runs.csv"
+def _place_of(case, row):
+    """(lambda, Bq_s, Bq_d) of a row of runs.csv."""
     columns = ("flow.viscosity_ratio", "membrane.viscous.boussinesq_shear", "membrane.viscous.boussinesq_dilatational")
-    return {tuple(number_in(file, column, row) for column in columns): row["run"] for row in read_table(file)}
+    return tuple(number_in(pathlib.Path(case) / "runs.csv", column, row) for column in columns)
+
+
+def _wanted(case):
+    """{(lambda, Bq_s, Bq_d): run} of all runs of the matrix, and of those with Bq_d."""
+    return {_place_of(case, row): row["run"] for row in gathered.rows_of(case)}
+
+
+def _printed(case, settings):
+    """{quantity: [(lambda, Bq_s, value)]} of the numbers that the thesis prints."""
+    file, printed = pathlib.Path(case) / settings["printed"], {}
+    for row in read_table(file):
+        printed.setdefault(row["quantity"], []).append(tuple(number_in(file, name, row) for name in ("viscosity_ratio", "bq_s", "value")))
+    return printed
 
 
 def _text(value, digits):
@@ -116,7 +129,12 @@ def tables(output, case):
     ]  # fmt: skip
     held = [Table(title, verdicts.HEADER, [row for row, _ in rows], [inside for _, inside in rows]) for title, rows in judged if rows]
     further = [table for table in (_equivalent_table(found), _remark_table(known, case)) if table.rows]
-    return [_runs_table(known, case), *held, *further]
+    return [_runs_table(known, case), *held, *further, *_fine_tables(known, case)]
+
+
+def _fine_tables(known, case):
+    rows, numbers = gathered.rows_of(case, fine=True), _printed(case, known.settings)
+    return fine.tables(rows, functools.partial(_place_of, case), known, numbers, known.settings["fine_over"])
 
 
 def measured(output, case):
@@ -124,7 +142,8 @@ def measured(output, case):
     known = gathered.gather(output, case)
     texts = {"readings.csv": readings.table_of(known.readings)}
     if known.histories:
-        texts["histories.csv"] = histories.table_of(known.histories[r.run] for r in known.readings if r.run in known.histories)
+        order = [*(r.run for r in known.readings), *(row["run"] for row in gathered.rows_of(case, fine=True))]
+        texts["histories.csv"] = histories.table_of(known.histories[run] for run in order if run in known.histories)
     if known.outlines:
         texts["outlines.csv"] = outlines.table_of(known.outlines[place] for place in sorted(known.outlines))
     return texts
@@ -137,10 +156,8 @@ def _title(place):
 def pictures(output, case):
     """The thesis's figures, of the runs that are known."""
     known, case = gathered.gather(output, case), pathlib.Path(case)
-    found, settings, printed = known.readings, known.settings, {}
-    file = case / settings["printed"]
-    for row in read_table(file):
-        printed.setdefault(row["quantity"], []).append(tuple(number_in(file, name, row) for name in ("viscosity_ratio", "bq_s", "value")))
+    found, settings = known.readings, known.settings
+    printed = _printed(case, settings)
     shape = {r.run: known.outline(r.run, settings["outline_at"]) for r in found}
     three = [row["run"] for row in read_table(case / "runs.csv") if "fig-4.4" in row["groups"].split()]
     columns = [(_title(r.place), r, known.histories[r.run], shape[r.run]) for r in found if r.run in three and shape[r.run] and r.run in known.histories]

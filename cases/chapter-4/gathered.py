@@ -11,7 +11,8 @@ from tanktread_post.run_folder import finished_runs
 
 HERE = pathlib.Path(__file__).parent
 readings, histories = (module_of(HERE / f"{name}.py") for name in ("readings", "histories"))
-IN_TIME = {"fig-4.2", "fig-4.4", "fig-4.10"}  # groups of runs.csv whose runs are drawn against time
+FINE = "fine"  # the group of runs.csv whose runs are not of the matrix: they are held against it in time (fine.py)
+IN_TIME = {"fig-4.2", "fig-4.4", "fig-4.10", FINE}  # groups of runs.csv whose runs are drawn, or read, against time
 
 
 @dataclasses.dataclass(frozen=True)
@@ -30,12 +31,17 @@ class Gathered:
         return min(found, key=lambda one: abs(one.shear_time - shear_time), default=None)
 
 
+def rows_of(case, fine=False):
+    """The rows of runs.csv that are of the matrix, or those of the group FINE."""
+    return [row for row in read_table(pathlib.Path(case) / "runs.csv") if (FINE in row["groups"].split()) == fine]
+
+
 def gather(output, case):
     """What is known of the runs below a folder of results. @throws InputError where that is nothing"""
     case, settings = pathlib.Path(case), read_comparison(case)["analyse"]
     kept = case / "measured"
     there = {directory.name: directory for directory in finished_runs(output)}
-    found = readings.read_runs(output, settings, kept / "readings.csv")
+    found = readings.read_runs(output, settings, kept / "readings.csv", without={row["run"] for row in rows_of(case, fine=True)})
     if not found:
         raise InputError(f"{output}: no finished run is there, and no {kept / 'readings.csv'}")
     in_time = {row["run"] for row in read_table(case / "runs.csv") if IN_TIME & set(row["groups"].split())}

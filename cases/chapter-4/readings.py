@@ -114,10 +114,10 @@ def read_run(directory, settings):
     )
 
 
-def read_runs(output, settings, kept=None):
-    """The readings of all finished runs below a folder, and of those of `kept` (measured/readings.csv) that are not among them, in rising
-    (lambda, Bq_s, Bq_d)."""
-    found = {directory.name: read_run(directory, settings) for directory in finished_runs(output)}
+def read_runs(output, settings, kept=None, without=()):
+    """The readings of all finished runs below a folder but those named, and of those of `kept` (measured/readings.csv) that are not among them, in
+    rising (lambda, Bq_s, Bq_d)."""
+    found = {directory.name: read_run(directory, settings) for directory in finished_runs(output) if directory.name not in without}
     return sorted(((records.read_kept(kept, Reading) if kept else {}) | found).values(), key=lambda r: r.place)
 
 

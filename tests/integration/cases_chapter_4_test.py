@@ -1,11 +1,12 @@
 """Tests of the matrix of Chapter 4: what is read of runs made of functions that are known, and what is said of it."""
 
+import json
 import math
 import unittest
 
 import numpy
 
-from chapter_4_fixture import CASE, EVERY, OfChapter4, chapter_4, ellipse, readings
+from chapter_4_fixture import CASE, EVERY, OfChapter4, chapter_4, ellipse, readings, write_run
 
 from tanktread_post import case_results, reference, turning
 
@@ -58,7 +59,7 @@ class Chapter4(OfChapter4):
         self.run_at(10, 0, end=12.0)  # unfinished
         code, text = self.judged()
         missing = self.line("not run yet:")
-        self.assertEqual(len(missing.split(",")), len(reference.read_table(CASE / "runs.csv")) - 1)
+        self.assertEqual(len(missing.split(",")), len(chapter_4.gathered.rows_of(CASE)) - 1)
         self.assertIn(" l10-bqs0,", missing)
         self.assertNotIn(" l1-bqs0,", missing)
         self.assertIn("1 of 5 runs", self.line("D falls with lambda", "Bq_s = 0 "))
@@ -120,7 +121,7 @@ class Chapter4(OfChapter4):
         self.assertIn("inside", self.line("V* is spoon-shaped in lambda"))
 
     def test_spans_are_judged_once_the_matrix_is_whole(self):
-        rows = [row for row in reference.read_table(CASE / "runs.csv") if row["membrane.viscous.boussinesq_dilatational"] == "0"]
+        rows = [row for row in chapter_4.gathered.rows_of(CASE) if row["membrane.viscous.boussinesq_dilatational"] == "0"]
         for number, row in enumerate(rows):
             share = number / (len(rows) - 1)
             place = float(row["flow.viscosity_ratio"]), float(row["membrane.viscous.boussinesq_shear"])
@@ -162,13 +163,28 @@ class Chapter4(OfChapter4):
         cells = dict(zip(header.split(","), row.split(",")))
         self.assertEqual([cells[name] for name in ("run", "boussinesq_shear", "deformation", "dissipation_ratio")], ["l1-bqs10", "10", "0.4", "0.5"])
 
+    def test_holds_a_finer_grid_against_the_matrix_without_judging_it(self):
+        self.run_at(1, 0, deformation=0.433, frequency=0.335, circumference=1.1015, speed=0.33243 * 1.1015)
+        before = self.judged()
+        write_run(self.output / "l1-bqs0-60", deformation=0.44, inclination=21.0, frequency=0.36, end=15.0, planned=15.0)
+        write_run(self.output / "l1-bqs0-120", deformation=0.462, inclination=20.0, frequency=0.37, end=15.0, planned=15.0)
+        code, text = self.judged()
+        self.assertEqual((code, text[: len(before[1])]), before)
+        cells = self.line("l1-bqs0-120: D").split()
+        self.assertEqual(cells[2:], ["10", "to", "15", "0.4620", "0.4400", "+5.00", "%", "0.4330", "0.4330", "0.4546", "0.4330", "shown", "only"])
+        self.assertEqual(self.line("l1-bqs0-120: inclination").split()[5:], ["20.00", "21.00", "-1.0000", "20.00", "20.00", "19.00", "23.30", "shown", "only"])
+        # Samples a quarter of a shear time apart: 625 times as far as those of a run, whose error is below 1e-7.
+        self.assertAlmostEqual(float(self.line("l1-bqs0-120: nu* (marker)").split()[6]), 0.37, delta=6e-5)
+        self.assertEqual([r.run for r in chapter_4.gathered.gather(self.output, self.case).readings], ["l1-bqs0"])
+        self.assertIn("l1-bqs0-120,15,", chapter_4.measured(self.output, self.case)["histories.csv"])
+
     def test_says_that_nothing_is_there(self):
         self.assert_refused("no finished run", case_results.judge, self.output, self.case)
 
 
 class Case(unittest.TestCase):
     def test_rows_are_the_matrix_in_the_order_of_their_worth(self):
-        rows = reference.read_table(CASE / "runs.csv")
+        rows = chapter_4.gathered.rows_of(CASE)
         places = list(chapter_4._wanted(CASE))
         self.assertEqual(len(places), len(rows))
         self.assertEqual([place[0] for place in places[:5]], [1, 10, 5, 0.2, 3])
@@ -177,6 +193,22 @@ class Case(unittest.TestCase):
         for row in rows:
             viscous = row["membrane.viscous.boussinesq_shear"] != "0" or row["membrane.viscous.boussinesq_dilatational"] != "0"
             self.assertEqual(row["membrane.viscous.scheme"], "implicit" if viscous else "")
+
+    def test_fine_runs_are_of_places_in_the_matrix_and_start_alike(self):
+        rows, places = chapter_4.gathered.rows_of(CASE, fine=True), chapter_4._wanted(CASE)
+        found = {}
+        for row in rows:
+            place = chapter_4._place_of(CASE, row)
+            self.assertIn(place, places)
+            box = json.loads(row["flow.box"] or "[60]")[0]
+            radius = float(row["capsule.0.radius"] or 60 / (2 * math.pi))
+            self.assertAlmostEqual(radius, box / (2 * math.pi), delta=1e-13)
+            # Re = g a^2/nu goes as U0 L, where the radius goes as L.
+            found.setdefault(place, []).append((box, float(row["flow.wall_speed"]) * box))
+        for sizes in found.values():
+            (fine, first), (coarse, second) = sorted(sizes, reverse=True)
+            self.assertEqual((fine, coarse), (120, 60))
+            self.assertAlmostEqual(first / second, 1, delta=1e-15)
 
     def test_printed_numbers_are_of_runs_that_are_there(self):
         places = chapter_4._wanted(CASE)

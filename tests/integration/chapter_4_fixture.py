@@ -37,11 +37,11 @@ def ellipse(times, frequency, length=1.5, width=0.6, tilt_deg=15.0, start=0.3):
 
 def write_run(
     folder, ratio=1.0, shear=0.0, dilatational=0.0, deformation=0.4, inclination=20.0, swing=0.0, frequency=0.33, circumference=1.1, speed=0.36,
-    extent=1.0, area=1.1, volume=1.0, membrane=0.0, inner=1.0, measures=True, energy=True, end=END,
+    extent=1.0, area=1.1, volume=1.0, membrane=0.0, inner=1.0, measures=True, energy=True, end=END, planned=END,
 ):  # fmt: skip
     """A run folder; D and the inclination swing by shares of their means, C* and V* likewise; inner None: what is inside is not marked."""
     viscous = {"scheme": "implicit", "boussinesq_shear": shear, "boussinesq_dilatational": dilatational}
-    write_echo(folder, radius=RADIUS, capillary_number=0.3, modulus="E_s", shear_time=END, viscosity_ratio=ratio, viscous=viscous)
+    write_echo(folder, radius=RADIUS, capillary_number=0.3, modulus="E_s", shear_time=planned, viscosity_ratio=ratio, viscous=viscous)
     with open(folder / "parameters.toml", "a") as stream:
         stream.write(f"[flow]\nshear_rate = {SHEAR_RATE!r}\nkinematic_viscosity = {VISCOSITY!r}\n")
     times = numpy.arange(round(end / EVERY) + 1) * EVERY
