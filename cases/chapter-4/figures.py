@@ -18,9 +18,9 @@ SYMBOLS = {"viscosity_ratio": r"$\lambda$", "boussinesq_shear": "$Bq_s$"}
 PRINTED = {"marker": "o", "color": "black", "markerfacecolor": "white", "markersize": 7, "linestyle": "none", "zorder": 3}
 
 
-def _legend(axes):
+def _legend(axes, where="best"):
     if axes.get_legend_handles_labels()[0]:
-        axes.legend(frameon=False, fontsize="small")
+        axes.legend(frameon=False, fontsize="small", loc=where)
 
 
 def evolution(file, columns):
@@ -36,7 +36,7 @@ def evolution(file, columns):
             panels[1, number].plot(history["shear_time"][seen], history["inclination_deg"][seen], **form)
         for axes in panels[:, number]:
             axes.set_xlim(left=0)
-        _legend(panels[0, number])
+        _legend(panels[1, number], "upper right")  # the inclination falls from 45 degrees
     return save(figure, file)
 
 
