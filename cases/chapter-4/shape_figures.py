@@ -9,6 +9,7 @@ from tanktread_post.plot import COLOURS, new_panels, save
 
 TIME = r"shear time  $\dot\gamma t$"
 LONGEST = 1.75  # half a side of a panel with an outline, over a
+PAPER = {"facecolor": "white", "edgecolor": "none", "pad": 1}  # behind a number that stands on a curve
 MARKER = {"marker": "o", "color": "black", "markersize": 6, "linestyle": "none", "zorder": 4}
 
 
@@ -31,7 +32,7 @@ def _with_mean(axes, history, name, label, stretch):
     mean = history.mean(name, *stretch)
     if not math.isnan(mean):
         axes.plot(stretch, [mean, mean], linestyle="dashed", color="black")
-        axes.annotate(f"{mean:.4f}", (stretch[1], mean), xytext=(0, 6), textcoords="offset points", ha="right", fontsize="small")
+        axes.annotate(f"{mean:.4f}", (stretch[1], mean), xytext=(0, 6), textcoords="offset points", ha="right", fontsize="small", bbox=PAPER)
     axes.set(xlabel=TIME, ylabel=label, xlim=(0, history["shear_time"][-1]))
 
 
