@@ -74,6 +74,7 @@ std::string conversion(const path& name, std::string_view suffix) {
 
 std::string type_text(const std::string& type) {
   if (type == "UnstructuredGrid") return "a surface (.vtu)";
+  if (type == "PUnstructuredGrid") return "the index of a surface in pieces (.pvtu)";
   if (type == "ImageData") return "a grid (.vti)";
   if (type == "PImageData") return "the index of a grid in pieces (.pvti)";
   if (type == "Collection") return "a series (.pvd)";
@@ -101,8 +102,11 @@ std::string foreign_format(const path& name, const path& content, const std::str
 
 std::string other_type(const path& name, const std::string& found, const std::string& type) {
   const bool to_convert = type == "UnstructuredGrid" && found == "PolyData";
-  return fmt::format("is {}, not {}; {}", type_text(found), type_text(type),
-                     to_convert ? conversion(name, ".vtp") : "give " + type_text(type));
+  auto fix = "give " + type_text(type);
+  if (to_convert) fix = conversion(name, ".vtp");
+  if (found == "P" + type)  // which is told by its name
+    fix = fmt::format("its name must end with {}", found == "PImageData" ? ".pvti" : ".pvtu");
+  return fmt::format("is {}, not {}; {}", type_text(found), type_text(type), fix);
 }
 
 }  // namespace tanktread::exchange

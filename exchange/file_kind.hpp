@@ -11,7 +11,7 @@ namespace tanktread::exchange {
 /// @param name as the user gave it
 /// @param content where to open it
 /// @param type VTK's type of what is asked for: UnstructuredGrid (a surface, .vtu), ImageData (a grid, .vti),
-///   Collection (a series, .pvd)
+///   Collection (a series, .pvd), PUnstructuredGrid, PImageData (indexes of pieces, .pvtu, .pvti)
 std::string foreign_format(const std::filesystem::path& name, const std::filesystem::path& content,
                            const std::string& type);
 

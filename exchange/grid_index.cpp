@@ -1,21 +1,14 @@
 // The index of a grid in pieces: VTK's .pvti. Its own writer of it wants the data of all pieces.
 #include <fmt/format.h>
-#include <vtkNew.h>
-#include <vtkType.h>
 #include <vtkXMLDataElement.h>
-#include <vtkXMLDataParser.h>
 
 #include <algorithm>
-#include <cmath>
-#include <sstream>
 #include <string_view>
 
-#include "exchange/file_head.hpp"
-#include "exchange/file_kind.hpp"
 #include "exchange/grid_head.hpp"
 #include "exchange/grid_pieces.hpp"
+#include "exchange/index_text.hpp"
 #include "exchange/promised_sizes.hpp"
-#include "exchange/same_bits.hpp"
 #include "exchange/vtk_files.hpp"
 #include "exchange/whole_file.hpp"
 #include "exchange/xml_text.hpp"
@@ -36,43 +29,17 @@ std::string extent_text(const GridBlock& block) {
   return text;
 }
 
-std::string numbers_text(const auto& numbers) {
-  std::string text;
-  for (const double number : numbers) text += fmt::format("{}{:.17g}", text.empty() ? "" : " ", number);
-  return text;
-}
-
-std::string field_data_text(const std::vector<Array>& arrays) {
-  std::string text = "    <FieldData>\n";
-  for (const auto& array : arrays) {
-    text += fmt::format(
-        "      <DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" NumberOfTuples=\"{}\" "
-        "format=\"ascii\">{}</DataArray>\n",
-        escaped(array.name), array.components,
-        array.values.size() / static_cast<std::size_t>(std::max(array.components, 1)),
-        numbers_text(array.values));
-  }
-  return text + "    </FieldData>\n";
-}
-
 std::string to_xml(const GridIndex& index) {
-  auto text = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
-      "  <{} WholeExtent=\"{}\" GhostLevel=\"0\" Origin=\"{}\" Spacing=\"{}\">\n",
-      type, type, extent_text(index.whole), numbers_text(index.origin), numbers_text(index.spacing));
-  if (!index.field_data.empty()) text += field_data_text(index.field_data);
-  text += "    <PPointData>\n";
-  for (const auto& array : index.point_data) {
-    text += fmt::format("      <PDataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\"/>\n",
-                        escaped(array.name), array.components);
-  }
-  text += "    </PPointData>\n";
+  auto content = field_data_text(index.field_data) + shapes_text("PPointData", index.point_data);
   for (const auto& piece : index.pieces) {
-    text += fmt::format("    <Piece Extent=\"{}\" Source=\"{}\"/>\n", extent_text(piece.block),
-                        escaped(piece.file));
+    content += fmt::format("    <Piece Extent=\"{}\" Source=\"{}\"/>\n", extent_text(piece.block),
+                           escaped(piece.file));
   }
-  return text + fmt::format("  </{}>\n</VTKFile>\n", type);
+  return index_text(
+      type,
+      fmt::format("WholeExtent=\"{}\" GhostLevel=\"0\" Origin=\"{}\" Spacing=\"{}\"",
+                  extent_text(index.whole), numbers_text(index.origin), numbers_text(index.spacing)),
+      content);
 }
 
 Extent as_extent(const GridBlock& block) {
@@ -132,13 +99,10 @@ void check_cover(const GridIndex& index, const path& file, const char* what) {
 
 /// They are there, and together can hold what the index promises, before room is made for it.
 void check_pieces(const GridIndex& index, const path& file) {
-  double n_bytes = 0, n_numbers = 0;
-  for (const auto& piece : index.pieces) {
-    const auto name = file.parent_path() / piece.file;
-    if (!std::filesystem::is_regular_file(name))
-      throw FileError(fmt::format("{}: no such file, a piece of {}", name.string(), file.string()));
-    n_bytes += static_cast<double>(std::filesystem::file_size(name));
-  }
+  std::vector<std::string> names;
+  for (const auto& piece : index.pieces) names.push_back(piece.file);
+  const auto n_bytes = bytes_of_pieces(names, file);
+  double n_numbers = 0;
   for (const auto& array : index.point_data) n_numbers += array.components;
   for (const int n : index.whole.nodes) n_numbers *= n;
   if (n_numbers * sizeof(double) <= growth_of_compressed * n_bytes) return;
@@ -146,24 +110,6 @@ void check_pieces(const GridIndex& index, const path& file) {
       fmt::format("{}: promises {:.10g} numbers, which pieces of {:.10g} bytes together cannot "
                   "hold: it is damaged; write or copy it again",
                   file.string(), n_numbers, n_bytes));
-}
-
-std::string text_of(vtkXMLDataElement& element, const char* attribute, const path& file) {
-  const char* text = element.GetAttribute(attribute);
-  if (text != nullptr) return text;
-  throw FileError(fmt::format("{}: its element {} lacks the attribute '{}': it is damaged; write it again",
-                              file.string(), element.GetName(), attribute));
-}
-
-/// @param absent if the element says none
-int count_of(vtkXMLDataElement& element, const char* attribute, int absent, const path& file) {
-  constexpr double most = 1e6;  // of components, or of numbers that the index has itself
-  const auto numbers = numbers_of(element, attribute, 1, file);
-  if (numbers.empty()) return absent;
-  if (numbers[0] >= 1 && numbers[0] <= most && numbers[0] == std::floor(numbers[0]))
-    return static_cast<int>(numbers[0]);
-  refuse_attribute(attribute, text_of(element, attribute, file),
-                   fmt::format("a whole number from 1 to {}", most), file);
 }
 
 GridBlock block_of(vtkXMLDataElement& element, const char* attribute, const path& file) {
@@ -186,67 +132,24 @@ std::array<double, 3> vector_of(vtkXMLDataElement& element, const char* attribut
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-/// Numbers of the whole; those in another form than write_grid_index's are left to VTK.
-void read_field_data(vtkXMLDataParser& parser, vtkXMLDataElement& element, GridIndex& index,
-                     const path& file) {
-  for (int k = 0; k < element.GetNumberOfNestedElements(); ++k) {
-    auto& nested = *element.GetNestedElement(k);
-    const char* format = nested.GetAttribute("format");
-    if (format == nullptr || std::string_view(format) != "ascii") continue;
-    Array array{text_of(nested, "Name", file), count_of(nested, "NumberOfComponents", 1, file), {}};
-    array.values.resize(static_cast<std::size_t>(array.components) *
-                        static_cast<std::size_t>(count_of(nested, "NumberOfTuples", 1, file)));
-    const auto n_read =
-        parser.ReadInlineData(&nested, 1, array.values.data(), 0, array.values.size(), VTK_DOUBLE);
-    if (n_read != array.values.size()) {
-      throw FileError(
-          fmt::format("{}: its array '{}' has {} numbers, {} are needed: it is damaged; write it "
-                      "again",
-                      file.string(), array.name, n_read, array.values.size()));
-    }
-    index.field_data.push_back(std::move(array));
-  }
-}
-
 void read_element(vtkXMLDataParser& parser, vtkXMLDataElement& element, GridIndex& index, const path& file) {
   const std::string_view name = element.GetName();
-  if (name == "FieldData") read_field_data(parser, element, index, file);
-  if (name == "PPointData") {
-    for (int k = 0; k < element.GetNumberOfNestedElements(); ++k) {
-      auto& array = *element.GetNestedElement(k);
-      index.point_data.push_back(
-          {text_of(array, "Name", file), count_of(array, "NumberOfComponents", 1, file)});
-    }
-  }
+  if (name == "FieldData") index.field_data = field_data_of(parser, element, file);
+  if (name == "PPointData") index.point_data = shapes_of(element, file);
   if (name == "Piece")
     index.pieces.push_back({text_of(element, "Source", file), block_of(element, "Extent", file)});
 }
 
 GridIndex parse(const std::string& text, const path& file) {
-  std::istringstream stream(text);
-  vtkNew<vtkXMLDataParser> parser;
-  parse_head(*parser, stream, file);
-  auto* root = parser->GetRootElement();
-  const char* found = root->GetAttribute("type");
-  if (found == nullptr || std::string_view(found) != type) {
-    throw FileError(
-        fmt::format("{}: {}", file.string(), other_type(file, found != nullptr ? found : "unknown", type)));
-  }
-  auto* grid = root->FindNestedElementWithName(type);
-  if (grid == nullptr)
-    throw FileError(fmt::format("{}: has no element {}: it is damaged", file.string(), type));
   GridIndex index;
-  index.whole = block_of(*grid, "WholeExtent", file);
-  index.origin = vector_of(*grid, "Origin", 0, file);
-  index.spacing = vector_of(*grid, "Spacing", 1, file);
-  for (int k = 0; k < grid->GetNumberOfNestedElements(); ++k)
-    read_element(*parser, *grid->GetNestedElement(k), index, file);
+  parse_index(text, type, file, [&](vtkXMLDataParser& parser, vtkXMLDataElement& grid) {
+    index.whole = block_of(grid, "WholeExtent", file);
+    index.origin = vector_of(grid, "Origin", 0, file);
+    index.spacing = vector_of(grid, "Spacing", 1, file);
+    for (int k = 0; k < grid.GetNumberOfNestedElements(); ++k)
+      read_element(parser, *grid.GetNestedElement(k), index, file);
+  });
   return index;
-}
-
-bool same_arrays(const std::vector<Array>& a, const std::vector<Array>& b) {
-  return std::ranges::equal(
-      a, b, [](const Array& x, const Array& y) { return x.name == y.name && same_bits(x, y); });
 }
 
 bool same_pieces(const std::vector<GridPiece>& a, const std::vector<GridPiece>& b) {
@@ -254,15 +157,11 @@ bool same_pieces(const std::vector<GridPiece>& a, const std::vector<GridPiece>& 
       a, b, [](const GridPiece& x, const GridPiece& y) { return x.file == y.file && x.block == y.block; });
 }
 
-/// Some texts and numbers cannot be put in XML: found by reading what would be written.
-void check_survives(const GridIndex& index, const std::string& text, const path& file) {
+bool survives(const GridIndex& index, const std::string& text, const path& file) {
   const auto back = parse(text, file);
-  if (back.origin == index.origin && back.spacing == index.spacing && back.whole == index.whole &&
-      back.point_data == index.point_data && same_arrays(back.field_data, index.field_data) &&
-      same_pieces(back.pieces, index.pieces))
-    return;
-  throw FileError(
-      fmt::format("{}: cannot be written: a name or a number of it does not survive in XML", file.string()));
+  return back.origin == index.origin && back.spacing == index.spacing && back.whole == index.whole &&
+         back.point_data == index.point_data && same_arrays(back.field_data, index.field_data) &&
+         same_pieces(back.pieces, index.pieces);
 }
 
 }  // namespace
@@ -270,12 +169,12 @@ void check_survives(const GridIndex& index, const std::string& text, const path&
 void write_grid_index(const path& file, const GridIndex& index) {
   check_cover(index, file, "cannot be written");
   const auto text = to_xml(index);
-  check_survives(index, text, file);
+  require_survival(file, [&] { return survives(index, text, file); });
   write_text(file, text);
 }
 
 GridIndex read_grid_index(const path& file) {
-  auto index = parse(read_growing_text(file), file);
+  auto index = parse(read_growing_text(file, type), file);
   check_cover(index, file, "is damaged");
   check_pieces(index, file);
   return index;

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "exchange/grid_file.hpp"
-#include "exchange/same_bits.hpp"
+#include "exchange/piece_arrays.hpp"
 
 namespace tanktread::exchange {
 namespace {
@@ -66,34 +66,18 @@ void copy(const Array& from, const GridBlock& from_block, const Range& range, Ar
   }
 }
 
-[[noreturn]] void refuse(const path& piece, const std::string& what, const path& file) {
-  throw FileError(
-      fmt::format("{}: {}, other than {} says, whose piece it is: they do not belong together; "
-                  "write or copy both again",
-                  piece.string(), what, file.string()));
-}
-
 /// What the index says of a piece is what the piece says of itself.
-void check_piece(const GridPacket& packet, const GridPiece& piece, const GridIndex& index, const path& name,
-                 const path& file) {
+void check_piece(const GridPacket& packet, const GridPiece& piece, const GridIndex& index,
+                 const PieceName& name) {
   if (packet.begin != piece.block.begin || packet.nodes != piece.block.nodes) {
-    refuse(name,
-           fmt::format("has {} x {} x {} nodes from node ({}, {}, {}) of the whole", packet.nodes[0],
-                       packet.nodes[1], packet.nodes[2], packet.begin[0], packet.begin[1], packet.begin[2]),
-           file);
+    refuse_piece(name, fmt::format("has {} x {} x {} nodes from node ({}, {}, {}) of the whole",
+                                   packet.nodes[0], packet.nodes[1], packet.nodes[2], packet.begin[0],
+                                   packet.begin[1], packet.begin[2]));
   }
   if (packet.origin != index.origin || packet.spacing != index.spacing)
-    refuse(name, "has another origin or spacing", file);
-  for (const auto& array : index.field_data) {
-    const auto* found = find_optional_array(packet.field_data, array.name);
-    if (found == nullptr || !same_bits(*found, array))
-      refuse(name, fmt::format("has another '{}'", array.name), file);
-  }
-  for (const auto& array : index.point_data) {
-    const auto* found = find_optional_array(packet.point_data, array.name);
-    if (found == nullptr || found->components != array.components)
-      refuse(name, fmt::format("has no array '{}' of {} components", array.name, array.components), file);
-  }
+    refuse_piece(name, "has another origin or spacing");
+  check_numbers_of_whole(packet.field_data, index.field_data, name);
+  check_shapes(packet.point_data, index.point_data, name);
 }
 
 }  // namespace
@@ -112,11 +96,11 @@ GridPacket read_grid_block(const path& file, const GridIndex& index, const GridB
   for (const auto& piece : index.pieces) {
     const auto wanted = common(own_nodes(piece.block, index.whole), range);
     if (wanted.is_empty()) continue;
-    const auto name = file.parent_path() / piece.file;
-    const auto packet = read_piece(name, convert);
-    check_piece(packet, piece, index, name, file);
+    const PieceName name{file.parent_path() / piece.file, file};
+    const auto packet = read_piece(name.piece, convert);
+    check_piece(packet, piece, index, name);
     for (auto& array : result.point_data)
-      copy(find_array(packet.point_data, array.name, name.string()), piece.block, wanted, array, block);
+      copy(find_array(packet.point_data, array.name, name.piece.string()), piece.block, wanted, array, block);
   }
   return result;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "exchange/array_shape.hpp"
 #include "exchange/packet.hpp"
 
 namespace tanktread::exchange {
@@ -24,13 +25,6 @@ struct GridPiece {
   GridBlock block;
 };
 
-/// An array that every piece has, of doubles on its nodes.
-struct ArrayShape {
-  std::string name;
-  int components = 1;
-  bool operator==(const ArrayShape&) const = default;
-};
-
 /// What a .pvti says. Every cell of the grid (the cube between eight nodes) is in one piece, so that
 /// neighbours share one layer of nodes; VTK 9.1 reads nothing at all otherwise. Along an axis of one node
 /// that node counts as a cell.
@@ -38,8 +32,8 @@ struct GridIndex {
   GridBlock whole;
   std::array<double, 3> origin = {0.5, 0.5, 0.5};  ///< of node (0, 0, 0), as of every piece
   std::array<double, 3> spacing = {1, 1, 1};
-  std::vector<ArrayShape> point_data;
-  std::vector<Array> field_data;  ///< as every piece has them
+  std::vector<ArrayShape> point_data;  ///< that every piece has
+  std::vector<Array> field_data;       ///< as every piece has them
   std::vector<GridPiece> pieces;
 };
 

@@ -150,7 +150,7 @@ void write_series(const path& file, const std::vector<SeriesEntry>& entries) {
 }
 
 std::vector<SeriesEntry> read_series(const path& file) {
-  return parse(read_growing_text(file), file);
+  return parse(read_growing_text(file, "Collection"), file);
 }
 
 void append_to_series(const path& file, const SeriesEntry& entry) {

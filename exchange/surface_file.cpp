@@ -1,3 +1,5 @@
+#include "exchange/surface_file.hpp"
+
 #include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -155,15 +157,15 @@ void write_surface(const path& file, const SurfacePacket& packet) {
   write_with(*writer, *grid, file);
 }
 
-SurfacePacket read_surface(const path& file, bool convert) {
+SurfacePacket read_surface_file(const path& file, Reading reading) {
+  if (reading == Reading::exact) {
+    auto packet = read(file, Convert::exactly, true);
+    drop_hash(packet.field_data);
+    return packet;
+  }
+  const bool convert = reading == Reading::converted;
   auto packet = read(file, convert ? Convert::with_losses : Convert::nothing, !convert);
   check_content(packet, file);
-  return packet;
-}
-
-SurfacePacket read_exact_surface(const path& file) {
-  auto packet = read(file, Convert::exactly, true);
-  drop_hash(packet.field_data);
   return packet;
 }
 

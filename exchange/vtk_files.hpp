@@ -28,8 +28,9 @@ void write_grid(const std::filesystem::path& file, const GridPacket& packet);
 /// a surface, cells that are not triangles; for a grid, axes that are turned or cell data; with `convert`,
 /// integers of 2^53 and more, which a double does not hold
 /// A grid is given by itself: origin is the position of its first node, whatever number the file gives that,
-/// and begin 0. A name that ends with .pvti is that of an index (grid_pieces.hpp), whose pieces are put
-/// together.
+/// and begin 0. A name that ends with .pvti or .pvtu is that of an index (grid_pieces.hpp,
+/// surface_pieces.hpp), whose pieces are put together: of surfaces one after the other, and after the field
+/// data of the index those that a piece has of its own.
 SurfacePacket read_surface(const std::filesystem::path& file, bool convert = false);
 GridPacket read_grid(const std::filesystem::path& file, bool convert = false);
 

@@ -96,12 +96,12 @@ WholeFile::WholeFile(fs::path name, const std::string& type)
   if (!ends_whole(end_of(content_))) refuse_cut(name_, type);
 }
 
-std::string read_growing_text(const fs::path& file) {
+std::string read_growing_text(const fs::path& file, const std::string& type) {
   const Descriptor open(require_file(file), O_RDONLY);
   require_open(open, file);
   lock_for_reading(open);
   auto text = read_all(open, file);
-  if (!ends_whole(text)) refuse_cut(file, "Collection");
+  if (!ends_whole(text)) refuse_cut(file, type);
   return text;
 }
 

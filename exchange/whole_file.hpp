@@ -28,7 +28,8 @@ class WholeFile {
 };
 
 /// All of a VTK file to which another process may be adding (FileTail): never a half of what it adds, for
-/// which this waits. @throws FileError as WholeFile does
-std::string read_growing_text(const std::filesystem::path& file);
+/// which this waits.
+/// @param type as WholeFile's @throws FileError as WholeFile does
+std::string read_growing_text(const std::filesystem::path& file, const std::string& type);
 
 }  // namespace tanktread::exchange
