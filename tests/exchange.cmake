@@ -9,6 +9,7 @@ tanktread_test(exchange_unit
   SOURCES
     unit/exchange_packet_test.cpp
     unit/exchange_pieces_test.cpp
+    unit/exchange_surface_pieces_test.cpp
     unit/exchange_shell_test.cpp
     unit/exchange_series_test.cpp
     unit/exchange_series_append_test.cpp
