@@ -32,7 +32,10 @@ void add_diff_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand(
       "diff", "Compare two files, or two output directories, bit for bit; exit code 1 if they differ");
   auto arguments = std::make_shared<DiffArguments>();
-  command->add_option("first", arguments->a, "File (.vtu, .vti, .pvd, .csv, other) or directory")->required();
+  command
+      ->add_option("first", arguments->a,
+                   "File (.vtu, .vti, in pieces .pvtu, .pvti; .pvd, .csv, other) or directory")
+      ->required();
   command->add_option("second", arguments->b, "The one to compare it with")->required();
   command
       ->add_option("--ignore", arguments->ignored,

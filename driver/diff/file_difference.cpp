@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "driver/diff/packet_difference.hpp"
 #include "driver/diff/series_difference.hpp"
@@ -15,6 +16,7 @@
 #include "driver/program/errors.hpp"
 #include "driver/program/file_system_error.hpp"
 #include "exchange/grid_pieces.hpp"
+#include "exchange/surface_pieces.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
@@ -44,16 +46,16 @@ bool leaves_out(const std::string& name, DifferenceReport& report) {
 /// `name` says which kind of file both are, and stands in the report.
 void compare_files(const std::string& name, const fs::path& a, const fs::path& b, DifferenceReport& report) {
   report.begin_file(name);
-  const auto kind = fs::path(name).extension();
+  const auto kind = fs::path(whole_name(name)).extension();
   if (kind == ".vtu") return compare_surfaces(a, b, report);
-  if (kind == ".vti" || kind == ".pvti") return compare_grids(a, b, report);
+  if (kind == ".vti") return compare_grids(a, b, report);
   if (kind == ".csv") return compare_tables(a, b, report);
   if (kind == ".pvd") return compare_series(exchange::read_series(a), exchange::read_series(b), report);
   compare_bytes(a, b, report);
 }
 
-/// The files below a directory: their relative names, by what they are called. A grid in pieces is called as
-/// one that is whole, and has the name of its index.
+/// The files below a directory: their relative names, by what they are called. A grid or surface in pieces
+/// is called as one that is whole, and has the name of its index.
 struct Listing {
   fs::path directory;
   std::map<std::string, std::string> names;
@@ -76,10 +78,14 @@ void compare_listings(const Listing& a, const Listing& b, DifferenceReport& repo
   }
 }
 
-/// The pieces of an index, which are compared as what they are together.
-void add_pieces(const fs::path& index, const fs::path& directory, std::set<std::string>& pieces) {
-  for (const auto& piece : exchange::read_grid_index(index).pieces)
-    pieces.insert((index.parent_path() / piece.file).lexically_relative(directory).string());
+/// The pieces that a file names, relative to it; none if it is no index.
+std::vector<std::string> pieces_of(const fs::path& file) {
+  std::vector<std::string> names;
+  if (file.extension() == ".pvtu") names = exchange::read_surface_index(file).pieces;
+  if (file.extension() == ".pvti") {
+    for (const auto& piece : exchange::read_grid_index(file).pieces) names.push_back(piece.file);
+  }
+  return names;
 }
 
 Listing files_below(const fs::path& directory) {
@@ -89,7 +95,9 @@ Listing files_below(const fs::path& directory) {
       entry.disable_recursion_pending();
     } else if (!entry->is_directory()) {
       files.insert(entry->path().lexically_relative(directory).string());
-      if (entry->path().extension() == ".pvti") add_pieces(entry->path(), directory, pieces);
+      // They are compared as what they are together.
+      for (const auto& piece : pieces_of(entry->path()))
+        pieces.insert((entry->path().parent_path() / piece).lexically_relative(directory).string());
     }
   }
   Listing listing{directory, {}};

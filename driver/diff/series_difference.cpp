@@ -44,8 +44,12 @@ bool same_files(const Entries& a, const Entries& b) {
 }  // namespace
 
 std::string whole_name(const std::string& file) {
-  constexpr std::string_view of_index = ".pvti";
-  return file.ends_with(of_index) ? file.substr(0, file.size() - of_index.size()) + ".vti" : file;
+  for (const std::string_view of_index : {".pvti", ".pvtu"}) {
+    if (!file.ends_with(of_index)) continue;
+    // Without the p, which says that it is in pieces.
+    return file.substr(0, file.size() - of_index.size()) + "." + std::string(of_index.substr(2));
+  }
+  return file;
 }
 
 void compare_series(const Entries& a, const Entries& b, DifferenceReport& report) {

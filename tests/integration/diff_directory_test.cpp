@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "exchange/grid_pieces.hpp"
+#include "exchange/surface_pieces.hpp"
 #include "tests/integration/diff_fixture.hpp"
 
 namespace tanktread::testing {
@@ -109,6 +110,53 @@ TEST_F(Diff, AGridInPiecesIsTheGridThatTheyMake) {
   const auto broken = diff("a", "b");
   EXPECT_EQ(broken.exit_code, 2);
   EXPECT_THAT(broken.output, HasSubstr("fluid/1.vti: no such file, a piece of "));
+}
+
+/// Two tetrahedra in one surface, each a capsule, or in pieces, "membrane/m_0.pvtu" in that directory.
+void put_tetrahedra(const std::filesystem::path& directory, bool in_pieces, double area_ratio) {
+  auto whole = tetrahedron(), second = tetrahedron();
+  second.cell_data[0].values[3] = area_ratio;
+  second.field_data.push_back({"history_1", 1, {3}});
+  std::filesystem::create_directories(directory / "membrane/m_0");
+  if (in_pieces) {
+    write_surface(directory / "membrane/m_0/0.vtu", whole);
+    write_surface(directory / "membrane/m_0/1.vtu", second);
+    return write_surface_index(
+        directory / "membrane/m_0.pvtu",
+        {{{"velocity", 3}}, {{"area_ratio", 1}}, whole.field_data, {"m_0/0.vtu", "m_0/1.vtu"}});
+  }
+  const auto append = [](std::vector<double>& to, const std::vector<double>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  append(whole.points, second.points);
+  for (const auto corner : second.triangles) whole.triangles.push_back(4 + corner);
+  append(whole.point_data[0].values, second.point_data[0].values);
+  append(whole.cell_data[0].values, second.cell_data[0].values);
+  whole.field_data.push_back(second.field_data[1]);
+  write_surface(directory / "membrane/m_0.vtu", whole);
+}
+
+TEST_F(Diff, ASurfaceInPiecesIsTheSurfaceThatTheyMake) {
+  for (const std::string name : {"a", "b"}) {
+    put_output(name);
+    std::filesystem::remove(directory_ / name / "membrane/m_0.vtu");
+    put_tetrahedra(directory_ / name, name == "b", 2.5);
+    write_series(directory_ / name / "membrane.pvd",
+                 {{0.5, std::string("membrane/m_0.") + (name == "b" ? "pvtu" : "vtu")}});
+  }
+  EXPECT_EQ(diff("a", "b").output, "identical: 5 files, 14 arrays\n");
+  EXPECT_EQ(diff("b", "a").exit_code, 0);
+  EXPECT_EQ(diff("a/membrane/m_0.vtu", "b/membrane/m_0.pvtu").output, "identical: 1 file, 6 arrays\n");
+  EXPECT_EQ(diff("a/membrane.pvd", "b/membrane.pvd").exit_code, 0);
+  put_tetrahedra(directory_ / "b", true, 3.5);
+  const auto ended = diff("a", "b");
+  EXPECT_EQ(ended.exit_code, 1);
+  EXPECT_THAT(ended.output, HasSubstr("membrane/m_0.vtu: cell data area_ratio: max 1, rms 0.353553, 1 of 8 "
+                                      "values; largest at value 7 (triangle 7)"));
+  std::filesystem::remove(directory_ / "b/membrane/m_0/1.vtu");
+  const auto broken = diff("a", "b");
+  EXPECT_EQ(broken.exit_code, 2);
+  EXPECT_THAT(broken.output, HasSubstr("m_0/1.vtu: no such file, a piece of "));
 }
 
 TEST_F(Diff, SeesTheOrderOfASeries) {
