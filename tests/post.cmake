@@ -52,6 +52,7 @@ tanktread_python_test(post_kernel_theory SECONDS 8 ARGUMENTS $<TARGET_FILE:tankt
 tanktread_python_test(post_measured)
 tanktread_python_test(post_paraview DISPLAY)
 tanktread_python_test(post_picture DISPLAY)
+tanktread_python_test(post_pieces DISPLAY SECONDS 8)
 tanktread_python_test(post_red_cell)
 tanktread_python_test(post_relaxation)
 tanktread_python_test(post_series)

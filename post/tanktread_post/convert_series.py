@@ -75,7 +75,7 @@ def _write(entries, target, folder):
 
 
 def _read(file, triangles):
-    """A membrane_STEP.vtu, of the same triangles as the one before."""
+    """A membrane_STEP.vtu or .pvtu, of the same triangles as the one before."""
     mesh = read_mesh(file)
     if [block.type for block in mesh.cells] != ["triangle"]:
         raise InputError(f"{file}: it is not a surface of triangles only")

@@ -5,7 +5,12 @@ import pathlib
 
 import numpy
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLUnstructuredGridReader
+from vtkmodules.vtkIOXML import (
+    vtkXMLImageDataReader,
+    vtkXMLPImageDataReader,
+    vtkXMLPUnstructuredGridReader,
+    vtkXMLUnstructuredGridReader,
+)
 from vtkmodules.vtkRenderingCore import (
     vtkLightKit,
     vtkRenderer,
@@ -14,12 +19,13 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
-from . import scene, series, whole_file
+from . import scene, series, vtk_pieces, whole_file
 from .observables import InputError
 from .run_folder import read_echo
-from .vtk_reading import read_by
+from .vtk_reading import read_by, require_end
 
 WIDTH, HEIGHT = 1200, 900
+READERS = {".vtu": vtkXMLUnstructuredGridReader, ".pvtu": vtkXMLPUnstructuredGridReader, ".vti": vtkXMLImageDataReader, ".pvti": vtkXMLPImageDataReader}
 
 
 def _require_display():
@@ -28,11 +34,15 @@ def _require_display():
         raise InputError("drawing needs a display, and there is none; put `xvfb-run -a` before the command")
 
 
-def read(reader, file):
-    """What a reader of VTK finds in a file of a series."""
+def read(file):
+    """What VTK finds in a file of a series, whole or in pieces."""
     if not file.is_file():
         raise InputError(f"{file}: the series names this file, and it is not there")
-    data = read_by(reader, file)
+    if file.suffix not in READERS:
+        raise InputError(f"{file}: the series names this file, and it is none of {', '.join(READERS)}")
+    for piece in vtk_pieces.pieces_of(file) if vtk_pieces.is_index(file) else ():
+        require_end(piece)
+    data = read_by(READERS[file.suffix](), file)
     if data.GetNumberOfPoints() == 0:
         raise InputError(f"{file}: it holds no points")
     return data
@@ -110,7 +120,7 @@ def render(output, field="area_ratio", shear_time=None, file=None):
     entry = series.at(output / "membrane.pvd", shear_time)
     if entry is None:
         raise InputError(f"{output}/membrane.pvd: there is nothing to draw (output.membrane_every is 0?)")
-    surface = read(vtkXMLUnstructuredGridReader(), entry[1])
+    surface = read(entry[1])
     renderer = vtkRenderer()
     renderer.SetBackground(1, 1, 1)
     actors, table = scene.membrane(surface, field)
@@ -119,7 +129,7 @@ def render(output, field="area_ratio", shear_time=None, file=None):
 
     flow_entry = series.shown_at(output / "fluid.pvd", entry[0])
     if flow_entry is not None:
-        grid = read(vtkXMLImageDataReader(), flow_entry[1])
+        grid = read(flow_entry[1])
         vorticity_axis = 3 - sum(axes)
         low, high = grid.GetBounds()[2 * vorticity_axis : 2 * vorticity_axis + 2]
         middle = min(max(sum(bounds[2 * vorticity_axis : 2 * vorticity_axis + 2]) / 2, low), high)

@@ -10,7 +10,6 @@ from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTriangleFilter
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkFiltersModeling import vtkLoopSubdivisionFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLightKit, vtkPolyDataMapper, vtkRenderer, vtkTextActor
 
 from . import outlines, render, scene, series
@@ -72,7 +71,7 @@ def _marker_place(output, shear_time, surface, radius):
 
 def _panel(output, case, axes, entry, radius, share):
     """The renderer of one moment, in its share of the width."""
-    surface = render.read(vtkXMLUnstructuredGridReader(), entry[1])
+    surface = render.read(entry[1])
     renderer = vtkRenderer()
     renderer.SetBackground(1, 1, 1)
     renderer.SetViewport(share[0], 0, share[1], 1)

@@ -33,6 +33,7 @@ READERS = {
     ".off": text_surfaces.read_off,
     ".msh": gmsh_surfaces.read,
     ".vtu": vtk_surfaces.read,
+    ".pvtu": vtk_surfaces.read,
     ".vtp": vtk_surfaces.read,
 }
 WRITTEN = (".stl", ".obj", ".ply", ".off", ".msh", ".vtu")

@@ -16,7 +16,7 @@ END = b"</VTKFile>"
 
 def read_by(reader, file):
     """What a reader of VTK's XML makes of a file. @throws InputError with VTK's words"""
-    _require_end(file)
+    require_end(file)
     reader.SetFileName(str(file))
     with _words_of_vtk() as words:
         reader.Update()
@@ -27,8 +27,8 @@ def read_by(reader, file):
     return data
 
 
-def _require_end(file):
-    """VTK takes what is behind the end of a file for lengths, and ends the process when there is no memory for them."""
+def require_end(file):
+    """@throws InputError unless the file ends as VTK's XML does. VTK takes what is behind the end of a file for lengths, and ends the process when there is no memory for them."""
     with open(file, "rb") as stream:
         stream.seek(max(0, os.path.getsize(file) - 100))
         if not stream.read().rstrip().endswith(END):

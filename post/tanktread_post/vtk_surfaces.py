@@ -1,4 +1,4 @@
-"""VTK's XML files of cells, .vtu and .vtp, read by VTK: all pieces of them, or nothing.
+"""VTK's XML files of cells, .vtu, .pvtu and .vtp, read by VTK: all pieces of them, or nothing.
 
 meshio 5.0.0 keeps only the last piece of a file of several, and refuses file version 2, LZ4, and .vtp.
 """
@@ -9,7 +9,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCellTypes, vtkGenericCell
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 
-from . import vtk_head
+from . import vtk_head, vtk_pieces
 from .observables import InputError
 from .vtk_reading import apart, read_by
 
@@ -23,7 +23,10 @@ KINDS = {
 
 
 def read(file):
-    """A meshio.Mesh with all arrays of a .vtu or .vtp."""
+    """A meshio.Mesh with all arrays of a .vtu or .vtp, or of the pieces of a .pvtu."""
+    if vtk_pieces.is_index(file):
+        pieces = vtk_pieces.pieces_of(file)
+        return vtk_pieces.joined([read(piece) for piece in pieces], pieces, file)
     kind, n_points, n_cells = vtk_head.read(file)
     return apart(lambda: _read(file, kind, n_points, n_cells), file)
 
