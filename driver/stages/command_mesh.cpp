@@ -133,7 +133,7 @@ void add_spheroid_command(CLI::App& mesh, int& exit_code) {
 void add_info_command(CLI::App& mesh, int& exit_code) {
   auto* command = mesh.add_subcommand("info", "Say what a surface is like, and whether it can be a membrane");
   auto file = std::make_shared<std::string>();
-  command->add_option("file", *file, "Surface of triangles (.vtu)")->required();
+  command->add_option("file", *file, "Surface of triangles (.vtu, or .pvtu in pieces)")->required();
   command->callback([=, &exit_code] {
     try {
       const auto packet = exchange::read_surface(*file, true);

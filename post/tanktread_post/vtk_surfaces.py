@@ -1,6 +1,6 @@
 """VTK's XML files of cells, .vtu, .pvtu and .vtp, read by VTK: all pieces of them, or nothing.
 
-meshio 5.0.0 keeps only the last piece of a file of several, and refuses file version 2, LZ4, and .vtp.
+meshio 5.0.0 keeps only the last piece of a file of several, and refuses file version 2, LZ4, .pvtu and .vtp.
 """
 
 import meshio

@@ -5,7 +5,7 @@ import re
 import struct
 import zlib
 
-from malformed_rows import TETRAHEDRON, TRIANGLES, Row, array, changed, field, grid, index, series, surface, vtk_file
+from malformed_rows import TETRAHEDRON, TRIANGLES, Row, array, changed, field, grid, index, series, surface, surface_index, vtk_file
 
 GOOD = surface()
 
@@ -221,6 +221,33 @@ IN_PIECES = [
     pieces("pieces of arrays of no components", BOTH.replace('Components="3"', 'Components="0"'), "g.pvti", "NumberOfComponents"),
 ]
 
+
+def surfaces(name, content, *message, **files):
+    """A surface of two pieces with an index; `files` in the place of theirs."""
+    halves = {"left.vtu": INSIDE, "right.vtu": surface(moved(2), point_data=FORCE)}
+    all_files = {"a.pvtu": content, **halves, **{f"{half}.vtu": spoilt for half, spoilt in files.items()}}
+    return Row(name, "coupler spread --case case.toml --in a.pvtu --out x.vti", [*message], all_files)
+
+
+LEFT_AND_RIGHT = surface_index("left.vtu", "right.vtu")
+
+SURFACES_IN_PIECES = [
+    surfaces("an empty index of surfaces", "", "a.pvtu", "cut off, or not a VTK XML file"),
+    surfaces("half an index of surfaces", LEFT_AND_RIGHT[: len(LEFT_AND_RIGHT) // 2], "a.pvtu", "cut off"),
+    surfaces("an index that is a surface", GOOD, "a.pvtu", "is a surface (.vtu), not the index of a surface in pieces (.pvtu)"),
+    surfaces("an index of grids for one of surfaces", BOTH, "a.pvtu", "is the index of a grid in pieces (.pvti), not the index"),
+    surfaces("a piece of a surface that is not there", surface_index("left.vtu", "none.vtu"), "none.vtu: no such file, a piece of a.pvtu"),
+    surfaces("a piece of a surface twice", surface_index("left.vtu", "left.vtu"), "a.pvtu", "it names the piece 'left.vtu' twice"),
+    surfaces("no piece of a surface", surface_index(), "a.pvtu", "it names no piece"),
+    surfaces("pieces of a surface that overlap", surface_index("left.vtu", "right.vtu", ghosts=1), "a.pvtu", "GhostLevel"),
+    surfaces("a piece of a surface without its array", LEFT_AND_RIGHT, "right.vtu", "has no array 'total_force' of 3 components", right=surface(moved(2))),
+    surfaces("a piece of a surface that is a grid", LEFT_AND_RIGHT, "right.vtu", "is a grid (.vti), not a surface (.vtu)", right=grid()),
+    surfaces("a piece of a surface that is the index", surface_index("left.vtu", "a.pvtu"), "is the index of a surface in pieces (.pvtu), not a surface"),
+    surfaces("a piece of a surface that is cut off", LEFT_AND_RIGHT, "left.vtu", "cut off", left=INSIDE[:-20]),
+    surfaces("pieces that both have a number", LEFT_AND_RIGHT, "right.vtu: has the field data 'gap', as has left.vtu", "only one piece can have them",
+        left=surface(moved(0), point_data=FORCE, field_data=field("gap", [1.0])), right=surface(moved(2), point_data=FORCE, field_data=field("gap", [1.0]))),
+]  # fmt: skip
+
 # What must go well: neighbours of rows, spoilt in nothing.
 ACCEPTED = [
     Row("a mesh", "mesh info cell.vtu", [], {"cell.vtu": GOOD}),
@@ -230,6 +257,7 @@ ACCEPTED = [
     Row("a grid", "coupler interpolate --case case.toml --in a.vtu --grid g.vti --out x.vtu", [], {"a.vtu": INSIDE, "g.vti": grid(point_data=VELOCITY)}),
     Row("a grid in two pieces", "coupler interpolate --case case.toml --in a.vtu --grid g.vti --out x.vtu", [], {"a.vtu": INSIDE, "g.vti": in_two_pieces()}),
     pieces("a grid in pieces", BOTH),
+    surfaces("a surface in pieces", LEFT_AND_RIGHT),
 ]
 
-ROWS = [*HEADS, *CELLS, *PROMISES, *SHAPES, *PACKETS, *IN_PIECES]
+ROWS = [*HEADS, *CELLS, *PROMISES, *SHAPES, *PACKETS, *IN_PIECES, *SURFACES_IN_PIECES]

@@ -112,6 +112,13 @@ def index(*pieces, extent="0 11 0 11 0 11", point_data='<PDataArray type="Float6
     return vtk_file("PImageData", body, f'WholeExtent="{extent}" GhostLevel="0" Origin="0.5 0.5 0.5" Spacing="1 1 1"')
 
 
+def surface_index(*pieces, point_data='<PDataArray type="Float64" Name="total_force" NumberOfComponents="3"/>', ghosts=0):
+    """A .pvtu of these pieces."""
+    points = '<PPoints><PDataArray type="Float64" Name="Points" NumberOfComponents="3"/></PPoints>\n'
+    body = f"{points}<PPointData>{point_data}</PPointData>\n" + "".join(f'<Piece Source="{file}"/>\n' for file in pieces)
+    return vtk_file("PUnstructuredGrid", body, f'GhostLevel="{ghosts}"')
+
+
 def series(*entries):
     """A .pvd with these DataSet elements."""
     return (
