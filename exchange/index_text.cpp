@@ -22,9 +22,10 @@ namespace {
 
 using std::filesystem::path;
 
+constexpr double most = 1e6;  ///< components, or numbers of an array that the index has itself
+
 /// @param absent if the element says none
 int count_of(vtkXMLDataElement& element, const char* attribute, int absent, const path& file) {
-  constexpr double most = 1e6;  // of components, or of numbers that the index has itself
   const auto numbers = numbers_of(element, attribute, 1, file);
   if (numbers.empty()) return absent;
   if (numbers[0] >= 1 && numbers[0] <= most && numbers[0] == std::floor(numbers[0]))
@@ -116,8 +117,12 @@ std::vector<Array> field_data_of(vtkXMLDataParser& parser, vtkXMLDataElement& el
     auto& nested = *element.GetNestedElement(k);
     if (!has(nested, "format", "ascii") || has(nested, "type", "String")) continue;
     Array array{text_of(nested, "Name", file), count_of(nested, "NumberOfComponents", 1, file), {}};
-    array.values.resize(static_cast<std::size_t>(array.components) *
-                        static_cast<std::size_t>(count_of(nested, "NumberOfTuples", 1, file)));
+    const auto n_tuples = count_of(nested, "NumberOfTuples", 1, file);
+    if (static_cast<double>(array.components) * n_tuples > most) {
+      refuse_attribute("NumberOfTuples", text_of(nested, "NumberOfTuples", file),
+                       fmt::format("one of {} numbers at most", most), file);
+    }
+    array.values.resize(static_cast<std::size_t>(array.components) * static_cast<std::size_t>(n_tuples));
     const auto n_read =
         parser.ReadInlineData(&nested, 1, array.values.data(), 0, array.values.size(), VTK_DOUBLE);
     if (n_read != array.values.size()) {

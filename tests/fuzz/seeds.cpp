@@ -15,6 +15,8 @@
 
 #include "driver/case/schema.hpp"
 #include "driver/observe/observables.hpp"
+#include "exchange/grid_pieces.hpp"
+#include "exchange/surface_pieces.hpp"
 #include "exchange/vtk_files.hpp"
 #include "tests/fuzz/input_file.hpp"
 #include "tests/unit/case_samples.hpp"
@@ -111,6 +113,35 @@ std::vector<std::string> grids() {
   return all;
 }
 
+/// An index as it is, and without its numbers of the whole, as another program writes one.
+std::vector<std::string> with_and_without(const std::string& index) {
+  const std::string first = "    <FieldData>", last = "</FieldData>\n";
+  const auto begin = index.find(first), end = index.find(last) + last.size();
+  return {index, index.substr(0, begin) + index.substr(end)};
+}
+
+exchange::SurfaceIndex surface_index() {
+  const auto piece = tetrahedron();
+  return {{{"velocity", 3}}, {{"capsule", 1}}, piece.field_data, {"0.vtu", "1.vtu"}};
+}
+
+/// small_grid() twice, side by side: they share a layer.
+exchange::GridIndex grid_index() {
+  const auto piece = small_grid();
+  return {{{0, 0, 0}, {3, 2, 1}}, piece.origin,
+          piece.spacing,          {{"density", 1}},
+          piece.field_data,       {{"0.vti", {{0, 0, 0}, {2, 2, 1}}}, {"1.vti", {{1, 0, 0}, {2, 2, 1}}}}};
+}
+
+std::vector<std::string> surface_indexes() {
+  return with_and_without(
+      written([](const auto& file) { exchange::write_surface_index(file, surface_index()); }));
+}
+
+std::vector<std::string> grid_indexes() {
+  return with_and_without(written([](const auto& file) { exchange::write_grid_index(file, grid_index()); }));
+}
+
 std::string small_series() {
   return written([](const auto& file) {
     exchange::write_series(file, {{0, "a.vtu"}, {0.25, "folder/b & c.vtu"}});
@@ -166,6 +197,16 @@ std::vector<std::string> words_of_vtk() {
   return words;
 }
 
+std::vector<std::string> words_of_indexes() {
+  auto words = words_of_vtk();
+  for (const char* word :
+       {"<PPoints>", "<PPointData>", "<PCellData>", "<Piece Source=\"0.vtu\"/>", "GhostLevel=\"1\"",
+        "<PDataArray type=\"Float64\" Name=\"velocity\" NumberOfComponents=\"3\"/>",
+        "<Piece Extent=\"1 2 0 1 0 0\" Source=\"1.vti\"/>", "Source=\"1.vtu\"", "2147483647", "-2147483648"})
+    words.emplace_back(word);
+  return words;
+}
+
 /// The keys of the case file and what they may hold.
 std::vector<std::string> words_of_cases() {
   std::vector<std::string> words = {"[[capsule]]", "capsule.0.", "inf", "nan", "1e308", "-1", "\"\"\""};
@@ -185,14 +226,29 @@ std::vector<std::string> seeds(const std::string& target) {
   if (target == "assignment") return assignments();
   if (target == "surface") return surfaces();
   if (target == "grid") return grids();
+  if (target == "surface_index") return surface_indexes();
+  if (target == "grid_index") return grid_indexes();
   if (target == "series") return {small_series()};
   const auto table = observables_to_step_50();
   if (target == "table") return {table + "\n====\n" + table, "# a\nx,y\n1,2\n\n====\nx,z\n1.0,2\n"};
   return {table};
 }
 
+void write_pieces(const std::filesystem::path& folder) {
+  auto surface = tetrahedron();
+  surface.field_data.push_back({"history_0", 1, {0.5}});
+  exchange::write_surface(folder / "0.vtu", surface);
+  surface.field_data.back().name = "history_1";
+  exchange::write_surface(folder / "1.vtu", surface);
+  auto grid = small_grid();
+  exchange::write_grid(folder / "0.vti", grid);
+  grid.begin[0] = 1;
+  exchange::write_grid(folder / "1.vti", grid);
+}
+
 std::vector<std::string> words(const std::string& target) {
   if (target == "case_file" || target == "assignment") return words_of_cases();
+  if (target == "surface_index" || target == "grid_index") return words_of_indexes();
   if (target == "surface" || target == "grid" || target == "series") return words_of_vtk();
   return {
       ",", "\n", "\r\n", "#", "\n====\n", "nan", "-inf", "1e-300", "step,shear_time", "9223372036854775808"};

@@ -7,14 +7,17 @@
 
 #include "driver/case/case.hpp"
 #include "driver/diff/table_difference.hpp"
+#include "driver/observe/observables.hpp"
 #include "driver/packets/packet_files.hpp"
 #include "driver/packets/surface_mesh.hpp"
 #include "driver/program/errors.hpp"
-#include "driver/observe/observables.hpp"
 #include "driver/run/table_file.hpp"
 #include "exchange/difference.hpp"
+#include "exchange/grid_pieces.hpp"
+#include "exchange/surface_pieces.hpp"
 #include "exchange/vtk_files.hpp"
 #include "tests/fuzz/input_file.hpp"
+#include "tests/fuzz/seeds.hpp"
 #include "tests/unit/case_samples.hpp"
 
 namespace tanktread::fuzz {
@@ -126,6 +129,49 @@ void read_packets(std::string_view bytes) {
   read_packet([&] { return Files<Packet>::read_exact(file.path()); });
 }
 
+template <class Packet>
+struct Index;
+
+template <>
+struct Index<exchange::SurfacePacket> {
+  static constexpr const char* suffix = ".pvtu";
+  static constexpr auto read = exchange::read_surface_index;
+  static constexpr auto write = exchange::write_surface_index;
+};
+
+template <>
+struct Index<exchange::GridPacket> {
+  static constexpr const char* suffix = ".pvti";
+  static constexpr auto read = exchange::read_grid_index;
+  static constexpr auto write = exchange::write_grid_index;
+};
+
+/// A folder with the pieces that the seeds name.
+struct PiecesFolder {
+  PiecesFolder() { write_pieces(folder / ""); }
+  const WorkFolder folder;
+};
+
+/// An index, then all that its pieces are together; the index written again is the same.
+template <class Packet>
+void read_index(std::string_view bytes) {
+  static const PiecesFolder pieces;
+  const auto file = pieces.folder / (std::string("index") + Index<Packet>::suffix);
+  const auto copy = pieces.folder / (std::string("copy") + Index<Packet>::suffix);
+  put_bytes(file, bytes);
+  try {
+    const auto index = Index<Packet>::read(file);
+    Index<Packet>::write(copy, index);
+  } catch (const FileError&) {
+    return;
+  }
+  const auto text = bytes_of(copy);
+  Index<Packet>::write(copy, Index<Packet>::read(copy));
+  require(bytes_of(copy) == text, "the copy of an index differs");
+  read_packet([&] { return Files<Packet>::read(file, false); });
+  read_packet([&] { return Files<Packet>::read(copy, true); });
+}
+
 void read_series(std::string_view bytes) {
   static const WorkFolder folder;
   const InputFile file(bytes);
@@ -182,6 +228,8 @@ const std::vector<Target>& targets() {
       {"assignment", read_assignment},
       {"surface", read_packets<exchange::SurfacePacket>},
       {"grid", read_packets<exchange::GridPacket>},
+      {"surface_index", read_index<exchange::SurfacePacket>},
+      {"grid_index", read_index<exchange::GridPacket>},
       {"series", read_series},
       {"table", read_tables},
       {"observables", read_observables},

@@ -14,7 +14,7 @@ struct Target {
   void (*read)(std::string_view bytes);
 };
 
-/// All targets: case_file, assignment, surface, grid, series, table, observables.
+/// All targets: case_file, assignment, surface, grid, surface_index, grid_index, series, table, observables.
 const std::vector<Target>& targets();
 
 /// @throws std::out_of_range for a name that none has

@@ -240,6 +240,8 @@ TEST_F(Pieces, ADamagedIndexIsRefused) {
     return reading_error();
   };
   EXPECT_THAT(error("\"0 6 0 4 0 3\"", "\"0 6 0 4 0\""), HasSubstr("WholeExtent"));
+  EXPECT_THAT(error("Components=\"1\" NumberOfTuples=\"1\"", "Components=\"9999\" NumberOfTuples=\"9999\""),
+              HasSubstr("NumberOfTuples=\"9999\", which is not one of 1000000 numbers at most"));
   EXPECT_THAT(error("Source", "Sauce"), HasSubstr("its element Piece lacks the attribute 'Source'"));
   EXPECT_THAT(error("NumberOfComponents=\"19\"", "NumberOfComponents=\"-1\""),
               HasSubstr("NumberOfComponents"));
