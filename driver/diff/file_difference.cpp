@@ -60,7 +60,14 @@ struct Listing {
   fs::path directory;
   std::map<std::string, std::string> names;
 
-  void add(const std::string& name) { names.emplace(whole_name(name), name); }
+  void add(const std::string& name) {
+    const auto [there, is_new] = names.emplace(whole_name(name), name);
+    if (is_new || there->second == name) return;
+    // One is whole and one an index, which is called as it is then.
+    const auto index = there->first == name ? there->second : name;
+    there->second = there->first;
+    names.emplace(index, index);
+  }
 };
 
 void compare_listings(const Listing& a, const Listing& b, DifferenceReport& report) {

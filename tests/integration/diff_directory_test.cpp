@@ -153,6 +153,10 @@ TEST_F(Diff, ASurfaceInPiecesIsTheSurfaceThatTheyMake) {
   EXPECT_EQ(ended.exit_code, 1);
   EXPECT_THAT(ended.output, HasSubstr("membrane/m_0.vtu: cell data area_ratio: max 1, rms 0.353553, 1 of 8 "
                                       "values; largest at value 7 (triangle 7)"));
+  put_tetrahedra(directory_ / "b", false, 2.5);
+  EXPECT_THAT(diff("a", "b").output, HasSubstr("membrane/m_0.pvtu: only in the second\n"
+                                               "different: 0 of 14 arrays, 1 of 6 files"));
+  std::filesystem::remove(directory_ / "b/membrane/m_0.vtu");
   std::filesystem::remove(directory_ / "b/membrane/m_0/1.vtu");
   const auto broken = diff("a", "b");
   EXPECT_EQ(broken.exit_code, 2);
