@@ -16,7 +16,7 @@
 #include "driver/program/errors.hpp"
 #include "driver/program/file_system_error.hpp"
 #include "driver/program/waiting_threads.hpp"
-#include "driver/system/followers.hpp"
+#include "driver/engine/followers.hpp"
 #include "driver/system/run_ranks.hpp"
 #include "ranks/world.hpp"
 

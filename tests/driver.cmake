@@ -16,7 +16,7 @@ tanktread_test(driver_test SOURCES unit/case_schema_test.cpp unit/case_errors_te
   unit/number_option_test.cpp unit/schedule_test.cpp unit/memory_test.cpp unit/cost_test.cpp
   unit/case_geometry_test.cpp unit/capsule_shape_test.cpp unit/placement_test.cpp unit/case_key_depth_test.cpp unit/case_set_test.cpp unit/case_round_trip_test.cpp unit/case_warnings_test.cpp
   unit/case_programs_test.cpp unit/case_implicit_test.cpp unit/case_coupler_test.cpp unit/case_difference_test.cpp unit/child_process_test.cpp
-  unit/inside_packet_test.cpp unit/units_parameters_test.cpp unit/units_si_test.cpp unit/parameters_file_test.cpp unit/echo_text_test.cpp unit/output_directory_test.cpp unit/stability_test.cpp unit/closing_test.cpp unit/waiting_threads_test.cpp unit/step_error_test.cpp unit/checkpoint_times_test.cpp unit/node_shares_test.cpp unit/rank_plan_test.cpp unit/first_error_test.cpp
+  unit/inside_packet_test.cpp unit/units_parameters_test.cpp unit/units_si_test.cpp unit/parameters_file_test.cpp unit/echo_text_test.cpp unit/output_directory_test.cpp unit/stability_test.cpp unit/closing_test.cpp unit/waiting_threads_test.cpp unit/step_error_test.cpp unit/checkpoint_times_test.cpp unit/node_shares_test.cpp unit/rank_plan_test.cpp unit/first_error_test.cpp unit/exact_sum_test.cpp unit/surface_files_test.cpp
   integration/step_test.cpp integration/contrast_step_test.cpp integration/program.cpp LIBRARIES tanktread_driver tomlplusplus::tomlplusplus)
 target_compile_definitions(driver_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
 tanktread_test(tables_test SOURCES integration/energy_test.cpp integration/measures_test.cpp integration/program.cpp

@@ -175,6 +175,8 @@ struct OutputCase {
   std::optional<Ranges3> fluid_box;
   /// Of a box with more nodes, fluid files and states of the fluid are written in pieces.
   int whole_file_nodes = 256 * 256 * 256;
+  /// Membranes of more triangles together are written in pieces of at most so many.
+  int whole_file_triangles = 1 << 18;
 
   bool operator==(const OutputCase&) const = default;
 };

@@ -146,6 +146,12 @@ std::vector<Key> coupler_run_output_keys() {
           .from(0)
           .to(std::numeric_limits<int>::max())
           .free_on_resume(),
+      key<InCase<&Case::output, &O::whole_file_triangles>>(
+          "output.whole_file_triangles", "triangles",
+          "of all membranes, up to which they are one file a time; above, pieces of at most so many")
+          .from(1)
+          .to(std::numeric_limits<int>::max())
+          .free_on_resume(),
   };
 }
 

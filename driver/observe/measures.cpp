@@ -55,32 +55,37 @@ void measure_axes(const MeshCase& mesh, const membrane::TriangleMesh& start, con
 }  // namespace
 
 std::vector<Measures> measure(const System& system, const Case& the_case) {
+  return measure(capsules_now(system), the_case);
+}
+
+std::vector<Measures> measure(const CapsulesNow& capsules, const Case& the_case) {
   const int flow_axis = the_case.flow.flow_axis;
   const int vorticity_axis = 3 - flow_axis - the_case.flow.wall_axis;
   std::vector<Measures> all;
-  for (std::size_t k = 0; k < system.membranes.size(); ++k) {
-    const auto& membrane = system.membranes[k];
+  for (std::size_t k = 0; k < capsules.membranes.size(); ++k) {
+    const auto& membrane = capsules.membranes[k];
+    const auto& capsule = the_case.capsules[capsules.number(k)];
     const auto& triangles = membrane.reference().triangles;
     const auto& points = membrane.positions();
-    const auto& velocity = system.node_velocity[k];
-    const double radius = the_case.capsules[k].radius;
+    const auto& velocity = capsules.velocity[k];
+    const double radius = capsule.radius;
     const auto moments = membrane::volume_moments(points, triangles);
     const auto frame = membrane::centroid_velocity(moments, points, triangles, velocity);
     const auto contour =
         membrane::contour(points, triangles, vorticity_axis, moments.centroid[vorticity_axis]);
     const auto along_vorticity = points.row(vorticity_axis);
     Measures row;
-    row.step = system.step;
-    row.shear_time = system.shear_time();
-    row.capsule = static_cast<int>(k);
+    row.step = capsules.step;
+    row.shear_time = capsules.shear_time();
+    row.capsule = static_cast<int>(capsules.number(k));
     row.circumference = membrane::contour_length(points, contour) / (2 * std::numbers::pi * radius);
-    row.membrane_speed =
-        membrane::mean_speed(points, velocity, contour, vorticity_axis, frame) / (system.shear_rate * radius);
+    row.membrane_speed = membrane::mean_speed(points, velocity, contour, vorticity_axis, frame) /
+                         (capsules.shear_rate * radius);
     row.vorticity_extent = (along_vorticity.maxCoeff() - along_vorticity.minCoeff()) / (2 * radius);
     const membrane::TriangleMesh start{membrane.start(), triangles};
     row.marker = (points.col(marker_of(membrane, flow_axis, radius)) - moments.centroid) / radius;
-    measure_extents(the_case.capsules[k].load, points, radius, row);
-    measure_axes(the_case.capsules[k].mesh, start, points, moments, the_case.flow, row);
+    measure_extents(capsule.load, points, radius, row);
+    measure_axes(capsule.mesh, start, points, moments, the_case.flow, row);
     all.push_back(row);
   }
   return all;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "driver/system/system.hpp"
+#include "driver/system/capsules_now.hpp"
 
 namespace tanktread::driver {
 
@@ -42,6 +42,8 @@ struct Measures {
 
 /// Measures all capsules.
 std::vector<Measures> measure(const System& system, const Case& the_case);
+/// Measures those given.
+std::vector<Measures> measure(const CapsulesNow& capsules, const Case& the_case);
 
 /// First line of measures.csv.
 std::string measures_header();

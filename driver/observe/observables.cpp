@@ -8,17 +8,23 @@
 namespace tanktread::driver {
 
 std::vector<Observation> observe(const System& system, const Case& the_case) {
+  std::optional<int> iterations;
+  if (any_implicit(system.membranes)) iterations = system.viscous_iterations;
+  return observe(capsules_now(system), the_case, system.highest_speed, iterations);
+}
+
+std::vector<Observation> observe(const CapsulesNow& capsules, const Case& the_case, double max_speed,
+                                 std::optional<int> viscous_iterations) {
   std::vector<Observation> observations;
-  const bool has_iterations = any_implicit(system.membranes);
-  for (std::size_t k = 0; k < system.membranes.size(); ++k) {
-    const auto& membrane = system.membranes[k];
+  for (std::size_t k = 0; k < capsules.membranes.size(); ++k) {
+    const auto& membrane = capsules.membranes[k];
     const auto& triangles = membrane.reference().triangles;
-    const double radius = the_case.capsules[k].radius;
+    const double radius = the_case.capsules[capsules.number(k)].radius;
     const auto moments = membrane::volume_moments(membrane.positions(), triangles);
     const auto shape = membrane::deformation(moments, the_case.flow.flow_axis, the_case.flow.wall_axis);
     Observation row;
-    row.step = system.step;
-    row.shear_time = system.shear_time();
+    row.step = capsules.step;
+    row.shear_time = capsules.shear_time();
     row.deformation = shape.deformation;
     row.inclination_deg = shape.inclination_deg;
     row.length = shape.length / radius;
@@ -28,12 +34,12 @@ std::vector<Observation> observe(const System& system, const Case& the_case) {
     row.area_ratio = membrane::surface_area(membrane.positions(), triangles) /
                      membrane::surface_area(membrane.start(), triangles);
     row.elastic_energy = membrane.elastic_energy();
-    row.max_speed = system.highest_speed;
-    row.capsule = static_cast<int>(k);
+    row.max_speed = max_speed;
+    row.capsule = static_cast<int>(capsules.number(k));
     row.x = moments.centroid[0];
     row.y = moments.centroid[1];
     row.z = moments.centroid[2];
-    if (has_iterations) row.viscous_iterations = system.viscous_iterations;
+    row.viscous_iterations = viscous_iterations;
     observations.push_back(row);
   }
   return observations;

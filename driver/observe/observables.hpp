@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "driver/system/system.hpp"
+#include "driver/system/capsules_now.hpp"
 
 namespace tanktread::driver {
 
@@ -28,6 +28,9 @@ struct Observation {
 
 /// Measures all capsules. The shear plane is that of flow and wall axis.
 std::vector<Observation> observe(const System& system, const Case& the_case);
+/// Measures those given. @param max_speed, viscous_iterations of all, for each row
+std::vector<Observation> observe(const CapsulesNow& capsules, const Case& the_case, double max_speed,
+                                 std::optional<int> viscous_iterations);
 
 /// First line of observables.csv. @param has_iterations of a case with an implicit viscosity: a last column
 /// more

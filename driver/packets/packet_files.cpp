@@ -82,7 +82,7 @@ Array mobility_on_grid(const GridVectors& vectors, std::size_t n_nodes) {
 
 }  // namespace
 
-exchange::SurfacePacket surface_file(const Surfaces& surfaces, std::int64_t step) {
+exchange::SurfacePacket surface_file(const Surfaces& surfaces, std::int64_t step, std::size_t first_number) {
   exchange::SurfacePacket file;
   Array capsule{"capsule", 1, {}};
   for (std::size_t k = 0; k < surfaces.positions.size(); ++k) {
@@ -91,14 +91,15 @@ exchange::SurfacePacket surface_file(const Surfaces& surfaces, std::int64_t step
     file.points.insert(file.points.end(), points.data(), points.data() + points.size());
     for (const int corner : surfaces.triangles[k].reshaped()) file.triangles.push_back(first_node + corner);
     capsule.values.insert(capsule.values.end(), static_cast<std::size_t>(surfaces.triangles[k].cols()),
-                          static_cast<double>(k));
+                          static_cast<double>(first_number + k));
   }
   file.cell_data = {std::move(capsule)};
   file.field_data = packet_header(step);
   return file;
 }
 
-void add_vectors(exchange::SurfacePacket& file, const std::string& name, const NodeVectors& vectors) {
+void add_vectors(exchange::SurfacePacket& file, const std::string& name,
+                 std::span<const Eigen::Matrix3Xd> vectors) {
   Array array{name, 3, {}};
   for (const auto& matrix : vectors) {
     array.values.insert(array.values.end(), matrix.data(), matrix.data() + matrix.size());

@@ -20,14 +20,17 @@ using Box = std::array<int, 3>;
 
 /// All capsules as one surface: their nodes one after the other, cell data `capsule` with the number of the
 /// capsule of each triangle, field data `step` and `schema_version`.
-exchange::SurfacePacket surface_file(const Surfaces& surfaces, std::int64_t step);
+/// @param first_number of the first of these capsules
+exchange::SurfacePacket surface_file(const Surfaces& surfaces, std::int64_t step,
+                                     std::size_t first_number = 0);
 
 /// Point data of what the membrane stage writes where a membrane has an implicit viscosity: the forces so
 /// far, to which `tanktread implicit` adds the implicit viscous ones.
 inline constexpr const char* explicit_force_array = "explicit_force";
 
 /// Adds vectors on the nodes as point data.
-void add_vectors(exchange::SurfacePacket& file, const std::string& name, const NodeVectors& vectors);
+void add_vectors(exchange::SurfacePacket& file, const std::string& name,
+                 std::span<const Eigen::Matrix3Xd> vectors);
 
 /// The capsules of a surface: those of its cell data `capsule`, or one without that.
 /// @param name of the file, for messages

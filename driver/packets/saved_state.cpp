@@ -9,20 +9,58 @@
 namespace tanktread::driver {
 namespace {
 
-void read_membranes(const std::filesystem::path& file, SavedState& state) {
-  const auto content = exchange::read_surface(file);
-  const auto name = file.string();
-  auto surfaces = surfaces_of(content, name);
-  state.shapes = shapes_of(content, surfaces, name);
-  for (std::size_t k = 0; k < state.shapes.meshes.size(); ++k)
-    state.membranes.push_back(membrane_state_of(content, k, name));
-  state.node_velocity = vectors_of(content, "velocity", surfaces, name);
-  state.node_force = vectors_of(content, "total_force", surfaces, name);
-  state.positions = std::move(surfaces.positions);
-  if (step_of(content.field_data, name) != state.step) {
-    throw exchange::FileError(fmt::format("{}: of step {}, the fluid beside it of step {}", name,
-                                          step_of(content.field_data, name), state.step));
+/// Counts the capsules of a piece from 0. @return the number that the first one had
+std::size_t take_first_number(exchange::SurfacePacket& content) {
+  constexpr double most = 1e9;
+  for (auto& array : content.cell_data) {
+    if (array.name != "capsule" || array.values.empty()) continue;
+    const double first = array.values.front();
+    if (!(first >= 0 && first < most)) return 0;  // no number of a capsule, as will be said
+    for (double& number : array.values) number -= first;
+    return static_cast<std::size_t>(first);
   }
+  return 0;
+}
+
+SavedCapsules saved_capsules(const exchange::SurfacePacket& content, std::size_t first,
+                             const std::string& name) {
+  SavedCapsules saved;
+  saved.first = first;
+  auto surfaces = surfaces_of(content, name);
+  saved.shapes = shapes_of(content, surfaces, name);
+  for (std::size_t k = 0; k < saved.shapes.meshes.size(); ++k)
+    saved.membranes.push_back(membrane_state_of(content, saved.first + k, name));
+  saved.node_velocity = vectors_of(content, "velocity", surfaces, name);
+  saved.node_force = vectors_of(content, "total_force", surfaces, name);
+  saved.positions = std::move(surfaces.positions);
+  return saved;
+}
+
+void require_step(const std::vector<exchange::Array>& field_data, std::int64_t step,
+                  const std::string& name) {
+  if (step_of(field_data, name) == step) return;
+  throw exchange::FileError(
+      fmt::format("{}: of step {}, the fluid beside it of step {}", name, step_of(field_data, name), step));
+}
+
+/// Of pieces the index alone, unless they are asked for.
+void read_membranes(const std::filesystem::path& folder, bool with_pieces, SavedState& state) {
+  const auto index_file = folder / membrane_state_index;
+  const bool in_pieces = std::filesystem::exists(index_file);
+  if (in_pieces && !with_pieces) {
+    require_step(exchange::read_surface_index(index_file).field_data, state.step, index_file.string());
+    state.membrane_pieces = index_file;
+    return;
+  }
+  const auto file = in_pieces ? index_file : folder / membrane_state_file;
+  const auto content = exchange::read_surface(file);
+  auto saved = saved_capsules(content, 0, file.string());
+  require_step(content.field_data, state.step, file.string());
+  state.shapes = std::move(saved.shapes);
+  state.positions = std::move(saved.positions);
+  state.node_velocity = std::move(saved.node_velocity);
+  state.node_force = std::move(saved.node_force);
+  state.membranes = std::move(saved.membranes);
 }
 
 /// Of pieces the index alone.
@@ -60,12 +98,20 @@ std::optional<Case> read_state_case(const std::filesystem::path& folder) {
   }
 }
 
-SavedState read_state(const std::filesystem::path& folder) {
+SavedCapsules read_saved_capsules(const std::filesystem::path& index_file,
+                                  const exchange::SurfaceIndex& index, std::size_t piece) {
+  const auto name = (index_file.parent_path() / index.pieces.at(piece)).string();
+  auto content = exchange::read_surface_piece(index_file, index, piece);
+  const auto first = take_first_number(content);
+  return saved_capsules(content, first, name);
+}
+
+SavedState read_state(const std::filesystem::path& folder, bool with_pieces) {
   SavedState state;
   state.folder = folder;
   read_fluid(folder, state);
   state.step = state.fluid.step;
-  read_membranes(folder / membrane_state_file, state);
+  read_membranes(folder, with_pieces, state);
   state.the_case = read_state_case(folder);
   return state;
 }

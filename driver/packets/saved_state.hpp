@@ -12,6 +12,7 @@
 #include "driver/packets/membrane_state.hpp"
 #include "driver/packets/packets.hpp"
 #include "exchange/packet.hpp"
+#include "exchange/surface_pieces.hpp"
 #include "fluid/fluid.hpp"
 
 namespace tanktread::driver {
@@ -22,6 +23,8 @@ inline constexpr const char* fluid_state_file = "fluid.vti";
 /// In its place where the fluid's state is in pieces: their index.
 inline constexpr const char* fluid_state_index = "fluid.pvti";
 inline constexpr const char* membrane_state_file = "membrane.vtu";
+/// In its place where the membranes are in pieces: their index.
+inline constexpr const char* membrane_state_index = "membrane.pvtu";
 inline constexpr const char* case_state_file = "echo.toml";
 
 /// Point data of the membranes in a state: the nodes of the stress-free shapes, and those at the start of the
@@ -37,12 +40,28 @@ struct SavedState {
   MembraneShapes shapes;         ///< that its membranes were made from
   NodeVectors positions, node_velocity, node_force;
   std::vector<MembraneState> membranes;
-  fluid::State fluid;                  ///< without arrays if it is in pieces, which are large
-  std::filesystem::path fluid_pieces;  ///< their index; "": `fluid` has all
+  fluid::State fluid;                     ///< without arrays if it is in pieces, which are large
+  std::filesystem::path fluid_pieces;     ///< their index; "": `fluid` has all
+  std::filesystem::path membrane_pieces;  ///< their index if they are left to be read; "": all is above
 };
 
-/// What the case names outside (meshes, programs) need not be there. @throws exchange::FileError
-SavedState read_state(const std::filesystem::path& folder);
+/// Some capsules of a state, which follow one another.
+struct SavedCapsules {
+  std::size_t first = 0;  ///< its number in the case
+  MembraneShapes shapes;
+  NodeVectors positions, node_velocity, node_force;
+  std::vector<MembraneState> membranes;
+};
+
+/// The capsules in one piece of the membranes of a state. @param piece of the index
+/// @throws exchange::FileError
+SavedCapsules read_saved_capsules(const std::filesystem::path& index_file,
+                                  const exchange::SurfaceIndex& index, std::size_t piece);
+
+/// What the case names outside (meshes, programs) need not be there.
+/// @param with_pieces membranes in pieces are read too, else they are left, for each rank to read some
+/// @throws exchange::FileError
+SavedState read_state(const std::filesystem::path& folder, bool with_pieces = true);
 /// The case alone that made the state in a folder; none: it holds no case. @throws exchange::FileError
 std::optional<Case> read_state_case(const std::filesystem::path& folder);
 

@@ -8,7 +8,6 @@
 
 #include "driver/program/errors.hpp"
 #include "driver/run/row_counts.hpp"
-#include "driver/system/fluid_output.hpp"
 
 namespace tanktread::driver {
 namespace {
@@ -74,16 +73,16 @@ void replace(const fs::path& folder, const fs::path& temporary) {
 
 }  // namespace
 
-void write_checkpoint(const System& system, const Case& the_case, const RowCounts& counts,
-                      const fs::path& directory) {
-  const auto folder = folder_of(directory, in_use, system.step);
-  const auto temporary = place_of(directory) / fmt::format(".step_{:010}.tmp", system.step);
-  write_state(temporary, system, the_case, writes_pieces(system, the_case));
+void write_checkpoint(std::int64_t step, const std::function<void(const fs::path&)>& write_state_to,
+                      const RowCounts& counts, const fs::path& directory) {
+  const auto folder = folder_of(directory, in_use, step);
+  const auto temporary = place_of(directory) / fmt::format(".step_{:010}.tmp", step);
+  write_state_to(temporary);
   write_row_counts(temporary / row_counts_file, counts);
   replace(folder, temporary);
   remove_old_checkpoints(directory);
   for (const auto& aside : folders_named(directory, set_aside)) {
-    if (step_in(aside) <= system.step) fs::remove_all(aside);
+    if (step_in(aside) <= step) fs::remove_all(aside);
   }
 }
 
@@ -124,8 +123,8 @@ std::vector<fs::path> other_checkpoints(const fs::path& directory, const fs::pat
   return others;
 }
 
-Checkpoint read_checkpoint(const fs::path& folder) {
-  Checkpoint checkpoint{read_state(folder), read_row_counts(folder / row_counts_file)};
+Checkpoint read_checkpoint(const fs::path& folder, bool with_pieces) {
+  Checkpoint checkpoint{read_state(folder, with_pieces), read_row_counts(folder / row_counts_file)};
   return checkpoint;
 }
 

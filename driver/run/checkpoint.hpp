@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -15,10 +16,12 @@ namespace tanktread::driver {
 /// step, which may be damaged or of another case) and removes all but the last two, and of those set aside
 /// the ones that it replaces: of its step and before. Each is a state folder (write_state) with the counts
 /// of rows.
+/// @param write_state_to writes the state to a folder
 /// @param counts of the rows of the tables so far
 /// @throws exchange::FileError
-void write_checkpoint(const System& system, const Case& the_case, const RowCounts& counts,
-                      const std::filesystem::path& directory);
+void write_checkpoint(std::int64_t step,
+                      const std::function<void(const std::filesystem::path&)>& write_state_to,
+                      const RowCounts& counts, const std::filesystem::path& directory);
 
 /// Removes all checkpoints of DIR but the last two: more are there if a process was killed before it had
 /// removed the oldest, which may be there in part.
@@ -42,8 +45,8 @@ struct Checkpoint {
   std::optional<RowCounts> counts;  ///< of rows; none: of an earlier version
 };
 
-/// @throws exchange::FileError if it is damaged
-Checkpoint read_checkpoint(const std::filesystem::path& folder);
+/// @param with_pieces as read_state() @throws exchange::FileError if it is damaged
+Checkpoint read_checkpoint(const std::filesystem::path& folder, bool with_pieces = true);
 
 /// Makes the checkpoint in this folder the last one of DIR: later ones are set aside as
 /// checkpoints/set_aside_NNNNNNNNNN, until new ones replace them; one that was set aside comes back.

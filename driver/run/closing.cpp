@@ -15,12 +15,12 @@ namespace tanktread::driver {
 namespace {
 
 /// The speed of memory over an array as large as the lattice, or large enough for any cache.
-double memory_speed(const System& system, const Case& the_case) {
+double memory_speed(const Case& the_case) {
   constexpr std::int64_t bytes_of_number = 8, most_numbers = std::int64_t{1} << 25;
   constexpr int most_passes = 12;
   constexpr double most_seconds = 0.3;
-  const auto lattice_bytes =
-      fluid::lattice_boltzmann_memory_per_node(storage_of(the_case.flow)) * system.fluid->shape().size();
+  std::int64_t lattice_bytes = fluid::lattice_boltzmann_memory_per_node(storage_of(the_case.flow));
+  for (const int n : the_case.flow.box) lattice_bytes *= n;
   const auto n = std::min(lattice_bytes / bytes_of_number, most_numbers);
   return update_in_place_speed(n, most_passes, most_seconds, the_case.run.threads);
 }
@@ -62,18 +62,17 @@ std::string bound_line(double bytes_a_second, double of_memory) {
       1e-9 * bytes_a_second, 100 * bytes_a_second / of_memory, 1e-9 * of_memory);
 }
 
-void print_closing(const System& system, const Case& the_case, const Progress& progress, double files,
-                   const std::filesystem::path& directory) {
+void print_closing(std::int64_t step, const StepSeconds& seconds, const Case& the_case,
+                   const Progress& progress, double files, const std::filesystem::path& directory) {
   constexpr double shortest_run = 3;  // seconds; the measurement is to be a small part of it
-  const double whole = progress.seconds(), mlups = progress.mlups(system.step);
-  if (system.seconds.fluid > 0) fmt::print("{}", time_table(system.seconds, files, whole));
+  const double whole = progress.seconds(), mlups = progress.mlups(step);
+  if (seconds.fluid > 0) fmt::print("{}", time_table(seconds, files, whole));
   if (whole > shortest_run && SignalGuard::caught() == 0 && the_case.flow.command.empty()) {
     const double bytes =
         1e6 * mlups * whole * fluid::lattice_boltzmann_bytes_per_node(storage_of(the_case.flow));
-    fmt::print("{}", bound_line(bytes / system.seconds.fluid, memory_speed(system, the_case)));
+    fmt::print("{}", bound_line(bytes / seconds.fluid, memory_speed(the_case)));
   }
-  fmt::print("ended at step {} with {:.1f} MLUPS; results are in {}\n", system.step, mlups,
-             directory.string());
+  fmt::print("ended at step {} with {:.1f} MLUPS; results are in {}\n", step, mlups, directory.string());
 }
 
 }  // namespace tanktread::driver

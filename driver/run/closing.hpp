@@ -21,8 +21,8 @@ std::string bound_line(double bytes_a_second, double of_memory);
 
 /// Prints all that, and at the end "ended at step N with X MLUPS; ...", of the whole run. Memory is measured
 /// for 0.3 s at most, and only after a run of some seconds that no signal ended.
-/// @param files as above
-void print_closing(const System& system, const Case& the_case, const Progress& progress, double files,
-                   const std::filesystem::path& directory);
+/// @param step that it ended at @param seconds of its steps @param files as above
+void print_closing(std::int64_t step, const StepSeconds& seconds, const Case& the_case,
+                   const Progress& progress, double files, const std::filesystem::path& directory);
 
 }  // namespace tanktread::driver

@@ -7,8 +7,6 @@
 
 #include "driver/observe/energy.hpp"
 #include "driver/observe/measures.hpp"
-#include "driver/system/fluid_output.hpp"
-#include "driver/system/membrane_files.hpp"
 #include "driver/units/laws.hpp"
 #include "exchange/vtk_files.hpp"
 
@@ -32,13 +30,6 @@ TablePoint measures_point(const ResumePoint& point) {
 
 TablePoint energy_point(const ResumePoint& point) {
   return table_point(point, point.schedules.energy, &RowCounts::energy);
-}
-
-template <class Row>
-std::vector<std::string> texts_of(const std::vector<Row>& rows, std::string (*text_of)(const Row&)) {
-  std::vector<std::string> texts;
-  for (const auto& row : rows) texts.push_back(text_of(row));
-  return texts;
 }
 
 /// Tells of a series what is wrong with it. @throws exchange::FileError if it cannot be made anew
@@ -70,7 +61,7 @@ Output::Output(const Case& the_case, const Parameters& parameters, std::filesyst
                 OutputTable::Never::no_file),
       energy_(directory / "energy.csv", energy_header(term_names(parameters)), schedules.energy,
               OutputTable::Never::no_file),
-      membrane_(directory, "membrane", {"vtu"}, schedules.membrane),
+      membrane_(directory, "membrane", {"vtu", "pvtu"}, schedules.membrane),
       fluid_(directory, "fluid", {"vti", "pvti"}, schedules.fluid) {}
 
 void Output::begin() {
@@ -108,32 +99,26 @@ bool Output::due(std::int64_t step, bool last) const {
          membrane_.due(step, last) || fluid_.due(step, last);
 }
 
-std::vector<Observation> Output::write(const System& system, bool last) {
-  const bool has_membrane = membrane_.due(system.step, last), has_fluid = fluid_.due(system.step, last);
-  if (has_membrane) write_membrane(system);
-  if (has_membrane || has_fluid) membrane_.show(system.shear_time());
-  if (has_fluid) write_fluid(system);
-  if (has_membrane || has_fluid) fluid_.show(system.shear_time());
-  if (measures_.due(system.step, last))
-    measures_.add(system.step, texts_of(measure(system, case_), measures_row));
-  if (energy_.due(system.step, last)) energy_.add(system.step, {energy_row(energy_budget(system, case_))});
+std::vector<Observation> Output::write(Engine& engine, bool last) {
+  const auto step = engine.step();
+  const auto write = [&](OutputSeries& series, void (Engine::*write_to)(const std::filesystem::path&)) {
+    (engine.*write_to)(series.file(step).replace_extension());
+    series.wrote(step);
+  };
+  const bool has_membrane = membrane_.due(step, last), has_fluid = fluid_.due(step, last);
+  if (has_membrane) write(membrane_, &Engine::write_membranes);
+  if (has_membrane || has_fluid) membrane_.show(engine.shear_time());
+  if (has_fluid) write(fluid_, &Engine::write_flow);
+  if (has_membrane || has_fluid) fluid_.show(engine.shear_time());
+  if (measures_.due(step, last)) measures_.add(step, engine.measures_rows());
+  if (energy_.due(step, last)) energy_.add(step, {energy_row(engine.energy_budget())});
   // This table last: a row of the end of the run says that all is there.
-  if (!observables_.due(system.step, last)) return {};
-  const auto observations = observe(system, case_);
-  observables_.add(system.step, texts_of(observations, observables_row));
+  if (!observables_.due(step, last)) return {};
+  const auto observations = engine.observe();
+  std::vector<std::string> rows;
+  for (const auto& observation : observations) rows.push_back(observables_row(observation));
+  observables_.add(step, rows);
   return observations;
-}
-
-void Output::write_membrane(const System& system) {
-  exchange::write_surface(membrane_.file(system.step),
-                          membrane_file(system.membranes, system.node_velocity, system.node_force,
-                                        system.step, system.shear_time()));
-  membrane_.wrote(system.step);
-}
-
-void Output::write_fluid(const System& system) {
-  write_flow(system, case_, fluid_.file(system.step).replace_extension());
-  fluid_.wrote(system.step);
 }
 
 }  // namespace tanktread::driver

@@ -6,11 +6,10 @@
 #include <filesystem>
 #include <optional>
 
-#include "driver/observe/observables.hpp"
+#include "driver/engine/engine.hpp"
 #include "driver/run/output_series.hpp"
 #include "driver/run/output_table.hpp"
 #include "driver/run/row_counts.hpp"
-#include "driver/system/system.hpp"
 
 namespace tanktread::driver {
 
@@ -55,13 +54,11 @@ class Output {
 
   /// Writes all that is due at this step; with `last`, the state at the end of the run too.
   /// @return the observations if they were due, else none
-  std::vector<Observation> write(const System& system, bool last);
+  std::vector<Observation> write(Engine& engine, bool last);
 
  private:
   Output(const Case& the_case, const Parameters& parameters, std::filesystem::path directory,
          const OutputSchedules& schedules);
-  void write_membrane(const System& system);
-  void write_fluid(const System& system);
 
   const Case& case_;
   double shear_rate_;

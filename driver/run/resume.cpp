@@ -93,7 +93,7 @@ ResumeStart find_start(const fs::path& directory, const Case& the_case, const Ou
   const auto folder = find_checkpoint(directory, from.step);
   Checkpoint checkpoint;
   try {
-    checkpoint = read_checkpoint(folder);
+    checkpoint = read_checkpoint(folder, from.with_pieces);
   } catch (const exchange::FileError& error) {
     refuse_damaged(error, directory, folder, the_case, output);
   }
@@ -105,10 +105,10 @@ ResumeStart find_start(const fs::path& directory, const Case& the_case, const Ou
   }
 }
 
-void restore_start(System& system, const ResumeStart& start, const fs::path& directory, const Case& the_case,
+void restore_start(Engine& engine, const ResumeStart& start, const fs::path& directory, const Case& the_case,
                    const Output& output) {
   try {
-    restore(system, start.state);
+    engine.restore(start.state);
   } catch (const exchange::FileError& error) {
     refuse_damaged(error, directory, start.folder, the_case, output);
   }

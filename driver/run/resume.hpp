@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "driver/engine/engine.hpp"
 #include "driver/run/checkpoint.hpp"
 #include "driver/run/output.hpp"
 
@@ -14,6 +15,7 @@ namespace tanktread::driver {
 struct ResumeFrom {
   std::optional<std::int64_t> step;  ///< that of a checkpoint; none: the last
   bool accept_gaps = false;          ///< the output may lack what was written before
+  bool with_pieces = true;           ///< of the membranes, as read_state()
 };
 
 /// A checkpoint that a run can go on from.
@@ -31,9 +33,9 @@ struct ResumeStart {
 ResumeStart find_start(const std::filesystem::path& directory, const Case& the_case, const Output& output,
                        const ResumeFrom& from);
 
-/// Sets a freshly made system to what find_start() has found. The fluid's state in pieces is read only here.
+/// Sets an engine to what find_start() has found. A state in pieces is read only here.
 /// @throws InputError as find_start()
-void restore_start(System& system, const ResumeStart& start, const std::filesystem::path& directory,
+void restore_start(Engine& engine, const ResumeStart& start, const std::filesystem::path& directory,
                    const Case& the_case, const Output& output);
 
 }  // namespace tanktread::driver

@@ -4,6 +4,9 @@
 
 #include <memory>
 
+#include "driver/case/case_programs.hpp"
+#include "driver/engine/many_ranks.hpp"
+#include "driver/engine/one_process.hpp"
 #include "driver/program/file_system_error.hpp"
 #include "driver/program/output_directory.hpp"
 #include "driver/program/signals.hpp"
@@ -15,8 +18,6 @@
 #include "driver/run/progress.hpp"
 #include "driver/stages/file_passage.hpp"
 #include "driver/system/run_ranks.hpp"
-#include "driver/system/step.hpp"
-#include "driver/system/system_on_ranks.hpp"
 #include "driver/units/laws.hpp"
 #include "driver/units/parameters_file.hpp"
 #include "exchange/shell_text.hpp"
@@ -34,9 +35,9 @@ void write_parameters(const Plan& plan, const std::filesystem::path& directory, 
 }
 
 /// Ends the progress line, and the run with an error that names its last good state.
-[[noreturn]] void stop_broken(const std::string& message, const System& system, Progress& progress,
+[[noreturn]] void stop_broken(const std::string& message, const Engine& engine, Progress& progress,
                               const std::filesystem::path& directory) {
-  progress.finish(system.step);
+  progress.finish(engine.step());
   const auto folders = checkpoint_folders(directory);
   throw RunError(fmt::format("{}\nlast good state: {}", message,
                              folders.empty() ? "none was written" : folders.back().string()));
@@ -92,9 +93,24 @@ void make_record_directory(const PacketOptions& packets) {
   }
 }
 
-/// Packets that are written pass through the first rank.
-bool looks_between_phases(const PacketOptions& packets) {
-  return packets.through_files || !packets.record.empty();
+/// Whether packets are written, or go to programs and back: they all pass through one process then.
+bool passes_one_process(const PacketOptions& packets, const Case& the_case) {
+  return other_ranks() == nullptr || packets.through_files || !packets.record.empty() ||
+         has_program(the_case);
+}
+
+/// What makes the steps of a run.
+struct RunEngine {
+  std::unique_ptr<Engine> engine;
+  OneProcess* one_process = nullptr;  ///< the same, if it is one
+};
+
+RunEngine make_engine(const PacketOptions& packets, const Case& the_case, const Parameters& parameters) {
+  if (!passes_one_process(packets, the_case))
+    return {std::make_unique<ManyRanks>(the_case, parameters), nullptr};
+  auto one_process = std::make_unique<OneProcess>(the_case, parameters);
+  auto* pointer = one_process.get();
+  return {std::move(one_process), pointer};
 }
 
 std::unique_ptr<Passage> make_passage(const PacketOptions& packets, const Plan& plan, std::int64_t first_step,
@@ -107,56 +123,62 @@ std::unique_ptr<Passage> make_passage(const PacketOptions& packets, const Plan& 
                                     plan.the_case, any_implicit(plan.the_case, plan.parameters));
 }
 
+void write_checkpoint(Engine& engine, const Output& output, const std::filesystem::path& directory) {
+  write_checkpoint(
+      engine.step(), [&](const std::filesystem::path& folder) { engine.write_state(folder); },
+      output.row_counts(), directory);
+}
+
 /// A step and what is due after it. @return the seconds that the files of that took
-double advance_and_write(System& system, Passage& passage, const Plan& plan, Output& output,
-                         Progress& progress, CheckpointTimes& checkpoints, std::int64_t last_step,
-                         const std::filesystem::path& directory) {
-  advance(system, passage);
+double advance_and_write(Engine& engine, Output& output, Progress& progress, CheckpointTimes& checkpoints,
+                         std::int64_t last_step, const std::filesystem::path& directory) {
+  engine.advance();
   const double before = progress.seconds();
-  const bool last = system.step == last_step, has_checkpoint = checkpoints.due(system.step, before);
-  if (has_checkpoint || output.due(system.step, last)) collect(system);
-  progress.observe(output.write(system, last));
-  if (has_checkpoint) {
-    write_checkpoint(system, plan.the_case, output.row_counts(), directory);
+  progress.observe(output.write(engine, engine.step() == last_step));
+  if (checkpoints.due(engine.step(), before)) {
+    write_checkpoint(engine, output, directory);
     checkpoints.wrote(progress.seconds());
-    if (system.on_ranks) system.on_ranks->share_out(system);  // who has moved may have another owner
+    engine.share_out();
   }
   const double files = progress.seconds() - before;
-  progress.update(system.step);
+  progress.update(engine.step());
   return files;
 }
 
-int run_on(System& system, Passage& passage, const Plan& plan, Output& output,
-           const std::filesystem::path& directory) {
-  const std::int64_t first_step = system.step;
+std::int64_t nodes_of(const Case& the_case) {
+  const auto& box = the_case.flow.box;
+  return std::int64_t{box[0]} * box[1] * box[2];
+}
+
+int run_on(const RunEngine& run, const Plan& plan, Output& output, const std::filesystem::path& directory) {
+  auto& engine = *run.engine;
+  const std::int64_t first_step = engine.step();
   const std::int64_t last_step = last_step_of(plan.the_case, plan.parameters);
   const auto& times = plan.the_case.run;
   CheckpointTimes checkpoints(schedule_of(times.checkpoint_every, plan.parameters), last_step,
                               times.checkpoint_minutes);
-  Progress progress(system.step, last_step, system.fluid->shape().size(), plan.parameters.shear_rate);
+  Progress progress(first_step, last_step, nodes_of(plan.the_case), plan.parameters.shear_rate);
   double files = 0;
   try {
-    while (system.step < last_step && SignalGuard::caught() == 0) {
-      files += advance_and_write(system, passage, plan, output, progress, checkpoints, last_step, directory);
-    }
-    if (system.step > first_step && system.step < last_step) {
+    while (engine.step() < last_step && SignalGuard::caught() == 0)
+      files += advance_and_write(engine, output, progress, checkpoints, last_step, directory);
+    if (engine.step() > first_step && engine.step() < last_step) {
       const double before = progress.seconds();
-      collect(system);
-      write_checkpoint(system, plan.the_case, output.row_counts(), directory);
-      passage.stopped(system);
+      write_checkpoint(engine, output, directory);
+      if (run.one_process) run.one_process->stop();
       files += progress.seconds() - before;
     }
   } catch (const RunError& error) {
-    stop_broken(error.what(), system, progress, directory);
+    stop_broken(error.what(), engine, progress, directory);
   } catch (const exchange::FileError& error) {
-    stop_broken(error.what(), system, progress, directory);
+    stop_broken(error.what(), engine, progress, directory);
   } catch (const std::filesystem::filesystem_error& error) {
-    stop_broken(message_of(error), system, progress, directory);
+    stop_broken(message_of(error), engine, progress, directory);
   }
-  progress.finish(system.step);
-  print_closing(system, plan.the_case, progress, files, directory);
+  progress.finish(engine.step());
+  print_closing(engine.step(), engine.seconds(), plan.the_case, progress, files, directory);
   if (SignalGuard::caught() == 0) return 0;
-  if (system.step < last_step) {
+  if (engine.step() < last_step) {
     fmt::print("stopped by a signal; go on with: tanktread run --resume {}\n",
                exchange::shell_text(directory));
   }
@@ -230,7 +252,8 @@ int run_new(const Plan& plan, const RunOptions& options) {
   check_packets(options.packets, options.output, 0, last_step_of(plan.the_case, plan.parameters));
   if (options.force) check_meshes_stay(plan.the_case, options.output);
   // Before anything is written: a program may not start, a mesh may not fit.
-  auto system = make_system(plan.the_case, plan.parameters, plan.shapes);
+  const auto run = make_engine(options.packets, plan.the_case, plan.parameters);
+  run.engine->begin(plan.shapes);
   const DirectoryLock lock(options.output);
   check_output_directory(options.output, options.force);  // another process may have been faster
   make_record_directory(options.packets);
@@ -240,12 +263,10 @@ int run_new(const Plan& plan, const RunOptions& options) {
   write_parameters(plan, options.output, commit);
   Output output(plan.the_case, plan.parameters, options.output);
   output.begin();
-  // Before the first files: large ones are written by all ranks.
-  if (!looks_between_phases(options.packets)) share_out(system, plan.the_case, plan.parameters);
-  output.write(system, false);
-  write_checkpoint(system, plan.the_case, output.row_counts(), options.output);
-  const auto passage = make_passage(options.packets, plan, 0, options.output);
-  return run_on(system, *passage, plan, output, options.output);
+  output.write(*run.engine, false);
+  write_checkpoint(*run.engine, output, options.output);
+  if (run.one_process) run.one_process->set_passage(make_passage(options.packets, plan, 0, options.output));
+  return run_on(run, plan, output, options.output);
 }
 
 int run_resumed(const ResumeOptions& options) {
@@ -258,7 +279,9 @@ int run_resumed(const ResumeOptions& options) {
   const DirectoryLock lock(directory);
   const auto numbers = parameters(the_case);
   Output output(the_case, numbers, directory);
-  auto start = find_start(directory, the_case, output, options.from);
+  auto from = options.from;
+  from.with_pieces = passes_one_process(options.packets, the_case);
+  auto start = find_start(directory, the_case, output, from);
   const auto last_step = last_step_of(the_case, numbers);
   if (!goes_on(options, start.point.step, last_step, last_step_of(former_case, numbers),
                the_case.run.shear_time)) {
@@ -275,13 +298,13 @@ int run_resumed(const ResumeOptions& options) {
         "note: the checkpoint is of an earlier version and does not hold its case: echo.toml is taken as "
         "it is, compared with nothing\n");
   }
-  auto system = make_system(the_case, plan.parameters, start.state.shapes);
-  restore_start(system, start, directory, the_case, output);
-  start.state.fluid = {};  // as large as the lattice itself
+  const auto run = make_engine(options.packets, the_case, plan.parameters);
+  restore_start(*run.engine, start, directory, the_case, output);
+  start.state = {};  // as large as the lattice itself
   begin_again(options, plan, start, output);
-  const auto passage = make_passage(options.packets, plan, start.point.step, directory);
-  if (!looks_between_phases(options.packets)) share_out(system, the_case, plan.parameters);
-  return run_on(system, *passage, plan, output, directory);
+  if (run.one_process)
+    run.one_process->set_passage(make_passage(options.packets, plan, start.point.step, directory));
+  return run_on(run, plan, output, directory);
 }
 
 }  // namespace tanktread::driver

@@ -133,7 +133,7 @@ void CapsuleMembrane::restore(const MembraneState& state) {
   if (program_) program_->restore(state.program, membrane_);
 }
 
-std::vector<std::string> term_names(const std::vector<CapsuleMembrane>& membranes) {
+std::vector<std::string> term_names(std::span<const CapsuleMembrane> membranes) {
   std::vector<std::string> names;
   for (const auto& entry : membrane::energy_term_table()) {
     const auto has = [&](const CapsuleMembrane& membrane) {

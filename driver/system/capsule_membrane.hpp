@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -97,6 +98,6 @@ class CapsuleMembrane {
 };
 
 /// The names of the energies that any of the membranes has beside its law, in the order of their table.
-std::vector<std::string> term_names(const std::vector<CapsuleMembrane>& membranes);
+std::vector<std::string> term_names(std::span<const CapsuleMembrane> membranes);
 
 }  // namespace tanktread::driver

@@ -16,8 +16,9 @@
 
 namespace tanktread::driver {
 
-/// What may go wrong in a step, in the order in which one rank would meet it.
-enum class StepPhase { correction, move, forces, stencils, implicit_forces, inside, flow };
+/// What may go wrong in a step, in the order in which one rank would meet it; before the first one a capsule
+/// may not fit the state that it is to be restored to.
+enum class StepPhase { restore, correction, move, forces, stencils, implicit_forces, inside, flow };
 
 /// What went wrong in a step.
 struct StepError {
@@ -71,6 +72,11 @@ class FirstError {
     }
   }
 
+  /// Keeps an error, if there is none yet.
+  void keep(StepError error) {
+    if (!error_) error_ = std::move(error);
+  }
+
   /// The error of another account, if there is none yet.
   void take(const FirstError& other) {
     if (other.error_) keep(*other.error_);
@@ -79,10 +85,6 @@ class FirstError {
   const std::optional<StepError>& error() const { return error_; }
 
  private:
-  void keep(StepError error) {
-    if (!error_) error_ = std::move(error);
-  }
-
   std::optional<StepError> error_;
 };
 

@@ -1,27 +1,19 @@
 #include "driver/system/fluid_output.hpp"
 
 #include <cstdint>
-#include <utility>
+#include <span>
 
 #include "driver/packets/fluid_files.hpp"
 #include "driver/packets/packet_files.hpp"
+#include "driver/program/file_ending.hpp"
 #include "driver/system/fluid_on_ranks.hpp"
 #include "driver/system/fluid_pieces.hpp"
-#include "driver/system/system_on_ranks.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path with_ending(fs::path file, const char* ending) {
-  return file += ending;
-}
-
-Ranges3 whole_range(const fluid::GridShape& shape) {
-  return {{{0, shape.nx - 1}, {0, shape.ny - 1}, {0, shape.nz - 1}}};
-}
 
 /// All of a grid as the one piece of an index.
 void write_one_piece(const fs::path& file, const exchange::GridPacket& packet) {
@@ -42,40 +34,29 @@ void write_packet(const fs::path& file, bool in_pieces, const exchange::GridPack
 
 }  // namespace
 
-bool writes_pieces(const System& system, const Case& the_case) {
-  const bool is_large = system.fluid->shape().size() > the_case.output.whole_file_nodes;
-  const bool is_shared = dynamic_cast<const FluidOnRanks*>(system.fluid.get()) != nullptr;
-  return is_large && (system.on_ranks || !is_shared);
+bool has_large_box(const Case& the_case) {
+  double n_nodes = 1;
+  for (const int n : the_case.flow.box) n_nodes *= n;
+  return n_nodes > the_case.output.whole_file_nodes;
 }
 
 void write_flow(const System& system, const Case& the_case, const fs::path& file) {
-  const bool in_pieces = writes_pieces(system, the_case);
-  const auto& range = the_case.output.fluid_box;
-  if (in_pieces && system.on_ranks) {
-    return system.on_ranks->write_pieces({with_ending(file, ".pvti"),
-                                          range.value_or(whole_range(system.fluid->shape())), false,
-                                          system.step, system.shear_time()});
-  }
-  write_packet(file, in_pieces,
-               flow_file(*system.fluid, range, system.step, system.shear_time(),
+  write_packet(file, has_large_box(the_case),
+               flow_file(*system.fluid, the_case.output.fluid_box, system.step, system.shear_time(),
                          system.inside ? system.inside->marks() : std::span<const std::int32_t>()));
 }
 
-void write_fluid_state(const System& system, bool in_pieces, const fs::path& file) {
-  if (in_pieces && system.on_ranks) {
-    return system.on_ranks->write_pieces({with_ending(file, ".pvti"), whole_range(system.fluid->shape()),
-                                          true, system.step, system.shear_time()});
-  }
-  write_packet(file, in_pieces, state_file(system.fluid->state(), system.fluid->shape()));
+void write_fluid_state(const fluid::Fluid& fluid, bool in_pieces, const fs::path& file) {
+  write_packet(file, in_pieces, state_file(fluid.state(), fluid.shape()));
 }
 
-void restore_fluid(System& system, const SavedState& state) {
-  if (state.fluid_pieces.empty()) return system.fluid->restore(state.fluid);
-  if (auto* on_ranks = dynamic_cast<FluidOnRanks*>(system.fluid.get()))
+void restore_fluid(fluid::Fluid& fluid, const SavedState& state) {
+  if (state.fluid_pieces.empty()) return fluid.restore(state.fluid);
+  if (auto* on_ranks = dynamic_cast<FluidOnRanks*>(&fluid))
     return on_ranks->restore_pieces(state.fluid_pieces);
-  const auto shape = system.fluid->shape();
+  const auto shape = fluid.shape();
   const ranks::Triple box = {shape.nx, shape.ny, shape.nz};
-  system.fluid->restore(read_state_block(state.fluid_pieces, box, {{0, 0, 0}, box}));
+  fluid.restore(read_state_block(state.fluid_pieces, box, {{0, 0, 0}, box}));
 }
 
 }  // namespace tanktread::driver

@@ -209,6 +209,10 @@ void write_index(const ranks::Division& division, const PiecesOrder& what, const
   exchange::write_grid_index(what.index, index);
 }
 
+Ranges3 whole_range(const ranks::Triple& box) {
+  return {{{0, box[0] - 1}, {0, box[1] - 1}, {0, box[2] - 1}}};
+}
+
 std::filesystem::path folder_of_pieces(const std::filesystem::path& index) {
   return index.parent_path() / index.stem();
 }

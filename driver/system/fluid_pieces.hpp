@@ -53,6 +53,9 @@ PieceWritten write_piece(const FluidPart& part, const PiecesOrder& what);
 /// Writes the index, after all ranks have written their pieces. @throws exchange::FileError
 void write_index(const ranks::Division& division, const PiecesOrder& what, const PieceWritten& pieces);
 
+/// All nodes of a box.
+Ranges3 whole_range(const ranks::Triple& box);
+
 /// The folder of the pieces of an index, beside it.
 std::filesystem::path folder_of_pieces(const std::filesystem::path& index);
 

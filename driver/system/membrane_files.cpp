@@ -25,16 +25,12 @@ void add_program_arrays(exchange::SurfacePacket& file, const std::vector<Array>&
     file.field_data.push_back({prefix + array.name, array.components, array.values});
 }
 
-NodeVectors elastic_forces(const std::vector<CapsuleMembrane>& membranes) {
-  NodeVectors forces;
-  for (const auto& membrane : membranes) forces.push_back(membrane.elastic_forces());
-  return forces;
-}
-
-bool any_starts_elsewhere(const std::vector<CapsuleMembrane>& membranes) {
-  return std::ranges::any_of(membranes, [](const CapsuleMembrane& membrane) {
-    return membrane.start() != membrane.reference().points;
-  });
+/// A vector on the nodes of each membrane.
+template <class OfMembrane>
+NodeVectors vectors_of_each(std::span<const CapsuleMembrane> membranes, const OfMembrane& of_membrane) {
+  NodeVectors vectors;
+  for (const auto& membrane : membranes) vectors.push_back(of_membrane(membrane));
+  return vectors;
 }
 
 /// @throws exchange::FileError if the shapes are not the same, but for rounding
@@ -52,22 +48,7 @@ void check_shape(const Eigen::Matrix3Xd& in_file, const Eigen::Matrix3Xd& of_cas
                   name, capsule, largest, which));
 }
 
-/// Where no capsule has a load there is no array.
-void add_loads(exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>& membranes,
-               std::int64_t step) {
-  if (std::ranges::none_of(membranes, &CapsuleMembrane::has_load)) return;
-  NodeVectors loads;
-  for (const auto& membrane : membranes) loads.push_back(membrane.load_at(step));
-  add_vectors(file, "load_force", loads);
-}
-
-NodeVectors term_forces(const std::vector<CapsuleMembrane>& membranes, const std::string& term) {
-  NodeVectors forces;
-  for (const auto& membrane : membranes) forces.push_back(membrane.term_forces(term));
-  return forces;
-}
-
-void add_element_fields(exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>& membranes) {
+void add_element_fields(exchange::SurfacePacket& file, std::span<const CapsuleMembrane> membranes) {
   Array stretches{"principal_stretches", 2, {}}, stress{"stress", 9, {}};
   Array viscous_stress{"viscous_stress", 9, {}}, area_ratio{"area_ratio", 1, {}};
   for (const auto& membrane : membranes) {
@@ -83,44 +64,72 @@ void add_element_fields(exchange::SurfacePacket& file, const std::vector<Capsule
 
 }  // namespace
 
-Surfaces surfaces_of(const std::vector<CapsuleMembrane>& membranes) {
+Surfaces surfaces_of(std::span<const CapsuleMembrane> membranes) {
   Surfaces surfaces;
-  surfaces.positions = positions_of(membranes);
-  for (const auto& membrane : membranes) surfaces.triangles.push_back(membrane.reference().triangles);
+  for (const auto& membrane : membranes) {
+    surfaces.positions.push_back(membrane.positions());
+    surfaces.triangles.push_back(membrane.reference().triangles);
+  }
   return surfaces;
+}
+
+MembraneArrays arrays_of(std::span<const CapsuleMembrane> membranes) {
+  return {term_names(membranes), std::ranges::any_of(membranes, &CapsuleMembrane::has_load),
+          std::ranges::any_of(membranes, [](const CapsuleMembrane& membrane) {
+            return membrane.start() != membrane.reference().points;
+          })};
+}
+
+exchange::SurfacePacket membrane_file(const CapsulesNow& capsules, const MembraneArrays& arrays) {
+  const auto& membranes = capsules.membranes;
+  const auto of_each = [&](const auto& of_membrane) { return vectors_of_each(membranes, of_membrane); };
+  auto file = surface_file(surfaces_of(membranes), capsules.step, capsules.number(0));
+  add_vectors(file, "velocity", capsules.velocity);
+  add_vectors(file, "elastic_force",
+              of_each([](const CapsuleMembrane& membrane) { return membrane.elastic_forces(); }));
+  for (const auto& term : arrays.terms) {
+    add_vectors(file, name_in_files(term) + "_force",
+                of_each([&](const CapsuleMembrane& membrane) { return membrane.term_forces(term); }));
+  }
+  add_vectors(file, "total_force", capsules.force);
+  if (arrays.has_loads) {
+    add_vectors(file, "load_force",
+                of_each([&](const CapsuleMembrane& membrane) { return membrane.load_at(capsules.step); }));
+  }
+  add_element_fields(file, membranes);
+  file.field_data.push_back({"shear_time", 1, {capsules.shear_time()}});
+  return file;
 }
 
 exchange::SurfacePacket membrane_file(const std::vector<CapsuleMembrane>& membranes,
                                       const NodeVectors& velocity, const NodeVectors& force,
                                       std::int64_t step, double shear_time) {
-  auto file = surface_file(surfaces_of(membranes), step);
-  add_vectors(file, "velocity", velocity);
-  add_vectors(file, "elastic_force", elastic_forces(membranes));
-  for (const auto& term : term_names(membranes))
-    add_vectors(file, name_in_files(term) + "_force", term_forces(membranes, term));
-  add_vectors(file, "total_force", force);
-  add_loads(file, membranes, step);
-  add_element_fields(file, membranes);
-  file.field_data.push_back({"shear_time", 1, {shear_time}});
+  auto file = membrane_file(CapsulesNow{membranes, velocity, force, {}, 0, step, 0}, arrays_of(membranes));
+  file.field_data.back().values = {shear_time};
   return file;
 }
 
-void add_state(exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>& membranes) {
-  NodeVectors references;
-  for (const auto& membrane : membranes) references.push_back(membrane.reference().points);
-  add_vectors(file, reference_array, references);
+void add_state(exchange::SurfacePacket& file, const CapsulesNow& capsules, const MembraneArrays& arrays) {
+  const auto& membranes = capsules.membranes;
+  add_vectors(file, reference_array, vectors_of_each(membranes, [](const CapsuleMembrane& membrane) {
+                return membrane.reference().points;
+              }));
   // A file of before there were two shapes is one of equal ones.
-  if (any_starts_elsewhere(membranes)) {
-    NodeVectors starts;
-    for (const auto& membrane : membranes) starts.push_back(membrane.start());
-    add_vectors(file, start_array, starts);
+  if (arrays.starts_elsewhere) {
+    add_vectors(file, start_array,
+                vectors_of_each(membranes, [](const CapsuleMembrane& membrane) { return membrane.start(); }));
   }
   for (std::size_t k = 0; k < membranes.size(); ++k) {
+    const auto number = capsules.number(k);
     auto state = membranes[k].state();
-    file.field_data.push_back({history_name(k), 1, std::move(state.history)});
-    add_program_arrays(file, state.program.point_data, program_prefix(k, "point"));
-    add_program_arrays(file, state.program.cell_data, program_prefix(k, "cell"));
+    file.field_data.push_back({history_name(number), 1, std::move(state.history)});
+    add_program_arrays(file, state.program.point_data, program_prefix(number, "point"));
+    add_program_arrays(file, state.program.cell_data, program_prefix(number, "cell"));
   }
+}
+
+void add_state(exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>& membranes) {
+  add_state(file, CapsulesNow{membranes, {}, {}, {}, 0, 0, 0}, arrays_of(membranes));
 }
 
 void restore_membranes(std::vector<CapsuleMembrane>& membranes, const exchange::SurfacePacket& file,

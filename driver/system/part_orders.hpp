@@ -36,12 +36,20 @@ enum class Order {
   restore,           ///< state
   make_system,       ///< the case; after make_part
   give_up_system,    ///<
-  take_capsules,     ///< step, capsules with their shapes
-  advance,           ///< ; a message with the error, if not all is well
-  collect,           ///< ; capsules
-  write_pieces,      ///< PiecesOrder; how it ended ("": well). After make_system
-  restore_pieces,    ///< the index; RestoreAnswer
-  end,               ///<
+  // After make_system:
+  begin,              ///< step; a message with the error, if not all is well
+  begin_from_pieces,  ///< step, the index; what was wrong with the pieces, if anything on any rank; as begin
+  share_out,          ///<
+  advance,            ///< ; a message with the error, if not all is well
+  observe,            ///< ; observations
+  measures,           ///< ; rows of measures.csv
+  energy,             ///< ; PartEnergy
+  marks,              ///< ; marks of the nodes of the block
+  write_surfaces,     ///< SurfacesToWrite; how it ended ("": well)
+  write_pieces,       ///< PiecesOrder; how it ended ("": well)
+  // After make_part:
+  restore_pieces,  ///< the index; RestoreAnswer
+  end,             ///<
 };
 
 /// The beginning of a message.

@@ -13,13 +13,13 @@
 namespace tanktread::driver {
 
 void write_state(const std::filesystem::path& folder, const System& system, const Case& the_case,
-                 bool in_pieces) {
+                 FileSizes sizes) {
   std::filesystem::create_directories(folder);
-  write_fluid_state(system, in_pieces, folder / std::filesystem::path(fluid_state_file).stem());
-  auto membranes = membrane_file(system.membranes, system.node_velocity, system.node_force, system.step,
-                                 system.shear_time());
-  add_state(membranes, system.membranes);
-  exchange::write_surface(folder / membrane_state_file, membranes);
+  const bool in_pieces = sizes == FileSizes::by_case && has_large_box(the_case);
+  write_fluid_state(*system.fluid, in_pieces, folder / std::filesystem::path(fluid_state_file).stem());
+  write_surfaces(
+      {folder / std::filesystem::path(membrane_state_file).stem(), true, most_triangles(the_case, sizes)},
+      capsules_now(system));
   exchange::write_text(folder / case_state_file, to_toml(the_case));
 }
 
@@ -32,7 +32,7 @@ void restore(System& system, const SavedState& state) {
   system.node_velocity = state.node_velocity;
   system.node_force = state.node_force;
   try {
-    restore_fluid(system, state);
+    restore_fluid(*system.fluid, state);
     for (std::size_t k = 0; k < system.membranes.size(); ++k) {
       system.membranes[k].set_positions(state.positions[k]);
       system.membranes[k].restore(state.membranes[k]);

@@ -4,15 +4,15 @@
 #include <filesystem>
 
 #include "driver/packets/saved_state.hpp"
+#include "driver/system/surface_files.hpp"
 #include "driver/system/system.hpp"
 
 namespace tanktread::driver {
 
 /// Makes the folder and writes the state of a system into it, with the case that made it.
-/// @param in_pieces the fluid's state, as writes_pieces() says
 /// @throws exchange::FileError
 void write_state(const std::filesystem::path& folder, const System& system, const Case& the_case,
-                 bool in_pieces = false);
+                 FileSizes sizes = FileSizes::whole);
 
 /// Sets a freshly made system to a state. @throws InputError if it does not fit the case;
 /// exchange::FileError if the fluid's is in pieces, and one cannot be read

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "driver/system/phases.hpp"
-#include "driver/system/system_on_ranks.hpp"
 #include "driver/system/timer.hpp"
 
 namespace tanktread::driver {
@@ -90,7 +89,6 @@ void advance_phases(System& system, Passage& passage) {
 }  // namespace
 
 void advance(System& system, Passage& passage) {
-  if (system.on_ranks) return system.on_ranks->advance(system);
   const auto stop = [&system](const std::exception& error) {
     throw RunError(fmt::format("step {}: {}", system.step + 1, error.what()));
   };

@@ -8,7 +8,6 @@
 #include "driver/system/membrane_files.hpp"
 #include "driver/system/phases.hpp"
 #include "driver/system/run_ranks.hpp"
-#include "driver/system/system_on_ranks.hpp"
 
 namespace tanktread::driver {
 
@@ -24,28 +23,25 @@ void mark_start(System& system) {
   }
 }
 
-/// On one rank or on all.
-std::unique_ptr<fluid::Fluid> make_fluid_on_ranks(const Case& the_case, const FlowParameters& parameters) {
-  if (!other_ranks())
-    return make_fluid(the_case, parameters);  // whatever run.ranks says: plan may be asked here
+}  // namespace
+
+std::unique_ptr<FluidOnRanks> make_fluid_on_ranks(const Case& the_case, const FlowParameters& parameters) {
   const auto division = division_of(the_case, other_ranks()->size());
   if (!the_case.flow.command.empty())
     throw InputError("flow.command: a program in the place of the fluid has one rank; start without mpirun");
   return std::make_unique<FluidOnRanks>(*other_ranks(), division, fluid_settings(the_case, parameters));
 }
 
-}  // namespace
-
-System::System() = default;
-System::System(System&&) noexcept = default;
-System& System::operator=(System&&) noexcept = default;
-System::~System() = default;
-
 System make_system(const Case& the_case, const Parameters& parameters, const MembraneShapes& shapes) {
   System system;
   system.shear_rate = parameters.shear_rate;
   system.threads = the_case.run.threads > 0 ? the_case.run.threads : omp_get_max_threads();
-  system.fluid = make_fluid_on_ranks(the_case, parameters);
+  // Of one rank whatever run.ranks says: plan may be asked here.
+  if (other_ranks()) {
+    system.fluid = make_fluid_on_ranks(the_case, parameters);
+  } else {
+    system.fluid = make_fluid(the_case, parameters);
+  }
   system.coupler = make_coupler(the_case);
   system.corrections = make_node_corrections(the_case, *system.coupler);
   system.implicit = implicit_settings(the_case);

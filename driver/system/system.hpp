@@ -38,7 +38,7 @@ struct StepPackets {
   NodeVectors positions;
 };
 
-class SystemOnRanks;
+class FluidOnRanks;
 
 /// A case at work. Between two steps it stands at time t = `step`: positions x(t), populations after the
 /// collision of t with the grid force F(t), stencils at x(t). Node velocities and forces are those of the
@@ -63,17 +63,12 @@ struct System {
   int threads = 1;      ///< OpenMP threads
   StepPackets packets;  ///< for their memory; a step does not go on from what is in there
 
-  /// Where the steps are made, if several ranks share them; null: here. What is above but for the fluid is
-  /// then as collect() has left it.
-  std::unique_ptr<SystemOnRanks> on_ranks;
-
-  System();
-  System(System&&) noexcept;
-  System& operator=(System&&) noexcept;
-  ~System();
-
   double shear_time() const { return static_cast<double>(step) * shear_rate; }
 };
+
+/// The flow solver of a case, shared by all ranks. Of the first one, where there are others (other_ranks()).
+/// @throws InputError if they cannot share it
+std::unique_ptr<FluidOnRanks> make_fluid_on_ranks(const Case& the_case, const FlowParameters& parameters);
 
 /// Builds the components of a case at its start. @param shapes of its capsules
 /// @throws InputError if a mesh lies too near a wall for the kernel

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "driver/run/checkpoint.hpp"
 #include "driver/observe/observables.hpp"
+#include "driver/run/checkpoint.hpp"
 #include "tests/integration/implicit_support.hpp"
 #include "tests/integration/program.hpp"
 
@@ -81,7 +81,8 @@ TEST(ImplicitSystem, ACheckpointGoesOnBitForBit) {
   auto system = make(the_case);
   for (int k = 0; k < 5; ++k) advance(system);
   const tanktread::testing::TemporaryDirectory directory;
-  write_checkpoint(system, the_case, {}, directory.path());
+  write_checkpoint(
+      system.step, [&](const auto& folder) { write_state(folder, system, the_case); }, {}, directory.path());
   auto other = make(the_case);
   restore(other, read_checkpoint(find_checkpoint(directory.path(), std::nullopt)).state);
   for (int k = 0; k < 4; ++k) {

@@ -30,8 +30,9 @@ ROOMS = {
     "study": ("program", "case"),  # one component or two against an exact answer
     "stages": ("program", "case", "units", "packets", "outside", "system", "study"),  # one component from files; replay
     "observe": ("program", "case", "units", "packets", "outside", "system"),  # what is read of a system at a time
+    "engine": ("program", "case", "units", "packets", "outside", "system", "observe"),  # what makes the steps of a run
     "plan": ("program", "case", "units", "packets", "outside", "system", "observe"),  # what a case will be and cost
-    "run": ("program", "case", "units", "packets", "outside", "system", "stages", "observe", "plan"),  # the run, its output
+    "run": ("program", "case", "units", "packets", "outside", "system", "stages", "observe", "engine", "plan"),  # the run, its output
     "diff": ("program",),  # two outputs compared
     "absent": ("program", "case", "system", "stages"),  # in the place of commands whose component is not built
 }

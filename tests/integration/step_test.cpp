@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "driver/run/checkpoint.hpp"
 #include "driver/observe/observables.hpp"
+#include "driver/run/checkpoint.hpp"
 #include "driver/system/capsule_shape.hpp"
 #include "driver/system/components.hpp"
 #include "driver/system/step.hpp"
@@ -96,7 +96,8 @@ TEST(Step, CheckpointGoesOnBitForBit) {
   auto system = make(c);
   for (int k = 0; k < 7; ++k) advance(system);
   const tanktread::testing::TemporaryDirectory directory;
-  write_checkpoint(system, c, {}, directory.path());
+  write_checkpoint(
+      system.step, [&](const auto& folder) { write_state(folder, system, c); }, {}, directory.path());
   auto other = make(c);
   restore(other, read_checkpoint(find_checkpoint(directory.path(), std::nullopt)).state);
   for (int k = 0; k < 10; ++k) {

@@ -9,11 +9,13 @@
 
 #include "coupler/inside.hpp"
 #include "driver/case/case.hpp"
-#include "driver/packets/membrane_shapes.hpp"
 #include "driver/system/capsule_membrane.hpp"
 #include "driver/system/capsule_messages.hpp"
+#include "driver/system/capsules_now.hpp"
 #include "driver/system/first_error.hpp"
+#include "driver/system/membrane_files.hpp"
 #include "driver/system/node_corrections.hpp"
+#include "driver/system/part_places.hpp"
 #include "driver/system/region_halo.hpp"
 #include "driver/system/system.hpp"
 #include "driver/units/units.hpp"
@@ -22,11 +24,23 @@
 
 namespace tanktread::driver {
 
-/// A capsule as it goes to the rank that computes it, and comes back.
-struct CapsuleState {
-  std::size_t number = 0;  ///< in the case
-  Eigen::Matrix3Xd positions, velocity, force;
-  std::vector<double> history;  ///< MembraneState::history
+/// A capsule as it goes from one rank to another.
+struct PartCapsule {
+  /// At a time after its start.
+  struct State {
+    Eigen::Matrix3Xd positions, velocity, force;
+    std::vector<double> history;  ///< MembraneState::history
+  };
+
+  std::size_t number = 0;        ///< in the case
+  membrane::TriangleMesh start;  ///< as MembraneShapes::meshes
+  Eigen::Matrix3Xd stress_free;  ///< as there
+  std::optional<State> state;    ///< none: it starts, at rest
+};
+
+/// The velocities of the nodes of a rank's capsules, u_m(t) at the time t where it stands.
+struct NodeVelocities {
+  NodeVectors interpolated, corrected;
 };
 
 /// How a step ended.
@@ -44,20 +58,36 @@ struct PartStep {
 /// call its functions together.
 class SystemPart {
  public:
-  /// World and fluid (the rank's part) are borrowed.
+  /// World and fluid (the rank's part) are borrowed. It has no capsules yet.
   SystemPart(const ranks::World& world, const ranks::Division& division, fluid::Fluid& fluid,
              const Case& the_case, const Parameters& parameters);
   ~SystemPart();
 
-  /// Takes over capsules at time t = `step`, in the place of those that it owns. Together.
-  /// @param shapes that the membranes are made from, in the order of the states
-  void take(std::int64_t step, const std::vector<CapsuleState>& states, const MembraneShapes& shapes);
+  /// Begins at time t = `step`: each capsule goes to the rank that has the middle of its nodes. Together.
+  /// @param capsules that this rank knows; of all ranks together each of the case once
+  /// @return as advance(); a capsule that does not fit its state is an error of phase `restore`
+  PartStep begin(std::int64_t step, std::vector<PartCapsule> capsules);
 
-  /// The capsules that it owns.
-  std::vector<CapsuleState> states() const;
+  /// Gives capsules whose middle has moved to another rank to that one. Together.
+  void share_out();
 
   /// From t to t+1, as advance() of a whole system. Together.
   PartStep advance();
+
+  /// What is read of the capsules that it owns, ascending by their numbers. Borrowed until the next step.
+  CapsulesNow capsules() const {
+    return {membranes_, own_.velocity, own_.force, own_.numbers, 0, step_, parameters_.shear_rate};
+  }
+  /// Of all capsules of the case.
+  const std::vector<std::int64_t>& n_triangles() const { return n_triangles_; }
+  const MembraneArrays& arrays() const { return arrays_; }
+
+  /// The velocities of its nodes now. Together.
+  NodeVelocities node_velocities(FirstError& error);
+
+  /// Marks of the nodes of the block at the present positions, also if the fluid has one viscosity.
+  /// @throws coupler::InsideError where surfaces overlap, and the fluid has one viscosity
+  std::vector<std::int32_t> marks_now();
 
   /// Marks of the nodes of the block; empty: the fluid has one viscosity.
   std::span<const std::int32_t> marks() const {
@@ -67,13 +97,27 @@ class SystemPart {
   /// Seconds of this rank's steps.
   const StepSeconds& seconds() const { return seconds_; }
 
+  const ranks::World& world() const { return world_; }
+  const Case& the_case() const { return case_; }
+  const Parameters& parameters() const { return parameters_; }
+  int threads() const { return threads_; }
+
  private:
   class Mobility;
+
+  int owner_of(const Eigen::Matrix3Xd& positions) const;
+  std::vector<PartCapsule> brought_to_owners(std::vector<PartCapsule> capsules) const;
+  PartCapsule given_away(std::size_t k) const;
+  void keep(std::vector<PartCapsule> capsules, FirstError& error);
+  void count_capsules();
+  PartStep settle(FirstError& error);
 
   void find_stencils();
   void mark_inside(bool anew);
   void advance_phases(FirstError& error, PartStep& result);
+  void interpolate();
   void find_node_velocities(FirstError& error);
+  void keep_volume(NodeVectors& velocity) const;
   void move_membranes(FirstError& error);
   void add_implicit(FirstError& error, PartStep& result);
   void force_fluid();
@@ -84,6 +128,7 @@ class SystemPart {
   fluid::Fluid& fluid_;
   Case case_;
   Parameters parameters_;
+  coupler::GridPart part_;
   coupler::Coupler coupler_;
   NodeCorrections corrections_;
   std::unique_ptr<coupler::InsideMarks> inside_;  ///< null: the fluid has one viscosity
@@ -92,12 +137,15 @@ class SystemPart {
   bool is_implicit_;  ///< any capsule of the case, whoever owns it
   int threads_;
 
+  PartPlaces places_;
   CapsuleMessages messages_;
   RegionHalo halo_;
   OwnCapsules own_;
   std::vector<CapsuleMembrane> membranes_;
   NearCapsules near_;
   std::vector<std::size_t> order_;  ///< where the number of each capsule stands among those of all ranks
+  std::vector<std::int64_t> n_triangles_;  ///< of each capsule of the case
+  MembraneArrays arrays_;                  ///< of files of all capsules
   std::int64_t step_ = 0;
   StepSeconds seconds_;
   // Scratch, one a grid node of the list, or of the rank's own among them.

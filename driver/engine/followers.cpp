@@ -1,4 +1,4 @@
-#include "driver/system/followers.hpp"
+#include "driver/engine/followers.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -6,9 +6,11 @@
 #include <stdexcept>
 #include <vector>
 
-#include "driver/system/capsule_orders.hpp"
+#include "driver/engine/capsule_orders.hpp"
+#include "driver/engine/part_answers.hpp"
+#include "driver/engine/part_files.hpp"
+#include "driver/engine/system_part.hpp"
 #include "driver/system/part_orders.hpp"
-#include "driver/system/system_part.hpp"
 #include "driver/units/units.hpp"
 
 namespace tanktread::driver {
@@ -42,15 +44,11 @@ class Follower {
         return true;
       case Order::end:
         return false;
-      case Order::make_system:
-      case Order::give_up_system:
-      case Order::take_capsules:
-      case Order::advance:
-      case Order::collect:
-      case Order::write_pieces:
-        of_system(order, message);
-        return true;
       default:
+        if (order >= Order::make_system && order <= Order::write_pieces) {
+          of_system(order, message);
+          return true;
+        }
         return of_part(order, message);
     }
   }
@@ -65,25 +63,53 @@ class Follower {
       }
       case Order::give_up_system:
         return system_.reset();
-      case Order::take_capsules: {
-        const auto capsules = take_capsules(message);
-        return system_->take(capsules.step, capsules.states, capsules.shapes);
+      case Order::begin:
+        return answer_if_wrong(system_->begin(message.take<std::int64_t>(), {}));
+      case Order::begin_from_pieces: {
+        const auto step = message.take<std::int64_t>();
+        auto read = read_capsules(world_, message.take_text(), system_->the_case().capsules.size());
+        if (!read.all_well) return answer(Packing().put_text(read.error));
+        return answer_if_wrong(system_->begin(step, std::move(read.capsules)));
       }
-      case Order::advance: {
-        const auto step = system_->advance();
-        if (!step.all_well) answer(packed(step.error));
-        return;
-      }
+      case Order::share_out:
+        return system_->share_out();
+      case Order::advance:
+        return answer_if_wrong(system_->advance());
+      case Order::write_surfaces:
+        return answer(Packing().put_text(write_surfaces(*system_, take_surfaces_to_write(message)).error));
       case Order::write_pieces: {
         const FluidPart part{world_, *division_, *part_, base_viscosity_, system_->marks()};
         return answer(Packing().put_text(write_piece(part, take_pieces_order(message)).error));
       }
-      default: {
-        Packing packing;
-        pack(packing, system_->states());
-        return answer(packing);
-      }
+      default:
+        return look_at(order);
     }
+  }
+
+  /// Orders to say what there is.
+  void look_at(Order order) {
+    Packing packing;
+    switch (order) {
+      case Order::observe:  // what is of all ranks the first one knows
+        packing.put_all(observe(system_->capsules(), system_->the_case(), 0, std::nullopt));
+        break;
+      case Order::measures:
+        pack(packing, measures_rows(*system_));
+        break;
+      case Order::energy:
+        pack(packing, energy_of(*system_, *part_));
+        break;
+      case Order::marks:
+        packing.put_all(system_->marks());
+        break;
+      default:
+        throw std::logic_error("the first rank gave an order that is none");
+    }
+    answer(packing);
+  }
+
+  void answer_if_wrong(const PartStep& step) const {
+    if (!step.all_well) answer(packed(step.error));
   }
 
   bool of_part(Order order, Unpacking& message) {

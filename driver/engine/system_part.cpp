@@ -1,4 +1,4 @@
-#include "driver/system/system_part.hpp"
+#include "driver/engine/system_part.hpp"
 
 #include <omp.h>
 
@@ -26,20 +26,6 @@ int reach_of(const coupler::Kernel& kernel) {
   return static_cast<int>(std::ceil(kernel.half_width)) + 1;
 }
 
-/// A case, or its parameters, with some of the capsules alone.
-template <class OfCapsules>
-OfCapsules with_capsules(const OfCapsules& all, std::span<const std::size_t> numbers) {
-  OfCapsules result = all;
-  result.capsules.clear();
-  for (const std::size_t number : numbers) result.capsules.push_back(all.capsules[number]);
-  return result;
-}
-
-NearCapsules nothing_near(std::size_t n_capsules) {
-  const NodeVectors none(n_capsules, Eigen::Matrix3Xd(3, 0));
-  return {{none, std::vector<Eigen::Matrix3Xi>(n_capsules, Eigen::Matrix3Xi(3, 0))}, none, none};
-}
-
 }  // namespace
 
 SystemPart::SystemPart(const ranks::World& world, const ranks::Division& division, fluid::Fluid& fluid,
@@ -48,60 +34,21 @@ SystemPart::SystemPart(const ranks::World& world, const ranks::Division& divisio
       fluid_(fluid),
       case_(the_case),
       parameters_(parameters),
-      coupler_(coupler_grid(the_case), grid_part(division, world.rank()),
-               coupler::kernel(the_case.coupler.kernel), the_case.run.threads),
+      part_(grid_part(division, world.rank())),
+      coupler_(coupler_grid(the_case), part_, coupler::kernel(the_case.coupler.kernel), the_case.run.threads),
       corrections_(make_node_corrections(the_case, coupler_)),
       implicit_(implicit_settings(the_case)),
       is_implicit_(any_implicit(the_case, parameters)),
       threads_(the_case.run.threads > 0 ? the_case.run.threads : omp_get_max_threads()),
+      places_(division),
       messages_(world, division, reach_of(coupler_.kernel())),
-      halo_(world, division, coupler_.region()),
-      near_(nothing_near(the_case.capsules.size())) {
+      halo_(world, division, coupler_.region()) {
   if (!has_contrast(the_case)) return;
-  inside_ = std::make_unique<coupler::InsideMarks>(coupler_grid(the_case), grid_part(division, world.rank()),
-                                                   the_case.run.threads);
+  inside_ = std::make_unique<coupler::InsideMarks>(coupler_grid(the_case), part_, the_case.run.threads);
   viscosity_of_marks_ = viscosities_of_marks(the_case);
 }
 
 SystemPart::~SystemPart() = default;
-
-void SystemPart::take(std::int64_t step, const std::vector<CapsuleState>& states,
-                      const MembraneShapes& shapes) {
-  step_ = step;
-  own_ = {};
-  for (const auto& state : states) own_.numbers.push_back(state.number);
-  membranes_ = states.empty() ? std::vector<CapsuleMembrane>()
-                              : make_membranes(with_capsules(case_, own_.numbers),
-                                               with_capsules(parameters_, own_.numbers), shapes);
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    membranes_[k].set_positions(states[k].positions);
-    membranes_[k].restore({states[k].history, {}});
-    own_.triangles.push_back(shapes.meshes[k].triangles);
-    own_.positions.push_back(states[k].positions);
-    own_.velocity.push_back(states[k].velocity);
-    own_.force.push_back(states[k].force);
-  }
-  const std::vector<double> own_numbers(own_.numbers.begin(), own_.numbers.end());
-  const auto numbers = world_.all_numbers(own_numbers);
-  order_.assign(numbers.size(), 0);
-  for (std::size_t place = 0; place < numbers.size(); ++place)
-    order_[static_cast<std::size_t>(numbers[place])] = place;
-
-  near_ = nothing_near(case_.capsules.size());
-  messages_.forget();
-  messages_.send_surfaces(own_, near_);
-  find_stencils();
-  halo_.find(coupler_.grid_nodes());
-  if (inside_) mark_inside(true);
-}
-
-std::vector<CapsuleState> SystemPart::states() const {
-  std::vector<CapsuleState> states;
-  for (std::size_t k = 0; k < own_.numbers.size(); ++k)
-    states.push_back(
-        {own_.numbers[k], own_.positions[k], own_.velocity[k], own_.force[k], membranes_[k].state().history});
-  return states;
-}
 
 void SystemPart::find_stencils() {
   build_stencils(coupler_, corrections_, near_.surfaces.positions, near_.surfaces.triangles);
@@ -144,8 +91,8 @@ void SystemPart::advance_phases(FirstError& error, PartStep& result) {
   ++step_;
 }
 
-// 1. and 2.
-void SystemPart::find_node_velocities(FirstError& error) {
+// 1., and the first part of 2.: of the nodes at home.
+void SystemPart::interpolate() {
   const std::size_t n_nodes = coupler_.grid_nodes().size();
   on_grid_.resize(3 * n_nodes);
   timed(seconds_.forced_nodes, [&] {
@@ -155,14 +102,39 @@ void SystemPart::find_node_velocities(FirstError& error) {
   });
   timed(seconds_.messages, [&] { halo_.complete(3, on_grid_); });
   timed(seconds_.interpolation, [&] { coupler_.interpolate(on_grid_, targets_of(near_.velocity)); });
+}
+
+// 1. and 2.
+void SystemPart::find_node_velocities(FirstError& error) {
+  interpolate();
   correct_along_membranes(error, near_.force, near_.velocity);
   bring_velocities(own_.velocity);
-  if (!corrections_.keeps_volume) return;
-  timed(seconds_.correction, [&] {
-    for (std::size_t k = 0; k < own_.numbers.size(); ++k)
-      coupler::keep_volume(numbers_of(own_.positions[k]), numbers_of(own_.triangles[k]),
-                           {own_.velocity[k].data(), static_cast<std::size_t>(own_.velocity[k].size())});
-  });
+  timed(seconds_.correction, [&] { keep_volume(own_.velocity); });
+}
+
+void SystemPart::keep_volume(NodeVectors& velocity) const {
+  for (std::size_t k = 0; corrections_.keeps_volume && k < velocity.size(); ++k)
+    coupler::keep_volume(numbers_of(own_.positions[k]), numbers_of(own_.triangles[k]),
+                         {velocity[k].data(), static_cast<std::size_t>(velocity[k].size())});
+}
+
+NodeVelocities SystemPart::node_velocities(FirstError& error) {
+  const StepSeconds before = seconds_;  // this is no part of a step
+  NodeVelocities velocities{zero_like(own_.positions), zero_like(own_.positions)};
+  interpolate();
+  bring_velocities(velocities.interpolated);
+  correct_along_membranes(error, near_.force, near_.velocity);
+  bring_velocities(velocities.corrected);
+  keep_volume(velocities.corrected);
+  seconds_ = before;
+  return velocities;
+}
+
+std::vector<std::int32_t> SystemPart::marks_now() {
+  if (inside_) return {inside_->marks().begin(), inside_->marks().end()};
+  coupler::InsideMarks marks(coupler_grid(case_), part_, threads_);
+  marks.mark(views(near_.surfaces.positions), corners_of(near_.surfaces.triangles));
+  return {marks.marks().begin(), marks.marks().end()};
 }
 
 void SystemPart::bring_velocities(NodeVectors& velocity) {
