@@ -5,10 +5,9 @@
 
 namespace tanktread::exchange {
 
-/// Adds the points, triangles and data of another surface behind those of the first, with the same arrays of
-/// point and cell data; of field data what the first one lacks.
-/// @param to may be empty: it is the other one then
-/// @throws std::invalid_argument if they have not the same arrays
-void append_surface(SurfacePacket& to, SurfacePacket other);
+/// Adds the points, triangles and data of another surface behind those of the first one. Field data stay as
+/// they are.
+/// @throws std::invalid_argument if the other one lacks an array of the first one; the first is then of no use
+void append_surface(SurfacePacket& to, const SurfacePacket& other);
 
 }  // namespace tanktread::exchange

@@ -1,10 +1,12 @@
 #include "exchange/surface_pieces.hpp"
+#include "exchange/append_surface.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 
+#include "exchange/append_surface.hpp"
 #include "exchange/piece_arrays.hpp"
 #include "exchange/surface_file.hpp"
 #include "exchange/vtk_files.hpp"
@@ -41,10 +43,6 @@ SurfacePacket read_piece(const PieceName& name, const SurfaceIndex& index, Readi
   return packet;
 }
 
-void append(std::vector<double>& values, const std::vector<double>& more) {
-  values.insert(values.end(), more.begin(), more.end());
-}
-
 /// Pieces put one after the other.
 class Whole {
  public:
@@ -58,13 +56,7 @@ class Whole {
 
   /// @throws FileError for a number of its own that another piece has too
   void add(SurfacePacket piece, const PieceName& name) {
-    const auto first_node = static_cast<std::int64_t>(result_.points.size() / 3);
-    append(result_.points, piece.points);
-    for (const auto corner : piece.triangles) result_.triangles.push_back(first_node + corner);
-    for (auto& array : result_.point_data)
-      append(array.values, find_array(piece.point_data, array.name, name.piece.string()).values);
-    for (auto& array : result_.cell_data)
-      append(array.values, find_array(piece.cell_data, array.name, name.piece.string()).values);
+    append_surface(result_, piece);
     for (auto& array : piece.field_data) add_own(std::move(array), name);
   }
 

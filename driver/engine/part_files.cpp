@@ -49,6 +49,21 @@ std::vector<CapsuleSurface> brought_to_writers(const SystemPart& part, std::span
   return found;
 }
 
+/// One surface of several, each of which may have field data of its own. @param surfaces at least one
+exchange::SurfacePacket put_together(std::vector<CapsuleSurface> surfaces) {
+  auto whole = std::move(surfaces.front().surface);
+  for (std::size_t k = 1; k < surfaces.size(); ++k) {
+    auto& next = surfaces[k].surface;
+    exchange::append_surface(whole, next);
+    for (auto& array : next.field_data) {
+      if (exchange::find_optional_array(whole.field_data, array.name) == nullptr)
+        whole.field_data.push_back(std::move(array));
+    }
+    next = {};
+  }
+  return whole;
+}
+
 /// "": all is well.
 std::string error_of_writing(const std::filesystem::path& file, const exchange::SurfacePacket& content) {
   try {
@@ -81,11 +96,10 @@ SurfacesWritten write_surfaces(const SystemPart& part, const SurfacesToWrite& wh
     const auto of_round = std::span(pieces).subspan(round, std::min(n_ranks, pieces.size() - round));
     auto surfaces = brought_to_writers(part, of_round, what.is_state);
     if (rank >= of_round.size()) continue;
-    exchange::SurfacePacket content;
-    for (auto& surface : surfaces) exchange::append_surface(content, std::move(surface.surface));
+    const auto content = put_together(std::move(surfaces));
     const auto error = error_of_writing(file_of_piece(what.file, round + rank, pieces.size()), content);
     if (written.error.empty()) written.error = error;
-    if (round + rank == 0) written.first = std::move(content);
+    if (round + rank == 0) written.first = content;
   }
   return written;
 }

@@ -86,12 +86,12 @@ RUNS = {
          "membrane.volume_modulus=1"], CASE, [2]),
 }
 
-# Of these the runs on several ranks write the fluid in pieces, the run on one in one file.
+# Of these the runs on several ranks write in pieces, the run on one in one file: of the membranes, a capsule a piece.
 IN_PIECES = {
     "over an edge and a corner of the cuts", "a viscosity contrast", "several, round a periodic box",
     "across the cuts, with other owners on the way", "in single precision", "a slice of the fluid, to the first nodes of a part",
 }
-PIECES = ["--set", "output.whole_file_nodes=100"]
+PIECES = ["--set", "output.whole_file_nodes=100", "--set", "output.whole_file_triangles=80"]
 
 
 def grid(reader, file):
@@ -129,13 +129,14 @@ class OnRanks(InFolder):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return done.stdout
 
-    def assert_in_pieces(self, folders, expected):
-        """Whether the fluid's files in the folders of that pattern are pieces with an index, or whole."""
-        found = [path for folder in self.folder.glob(folders) for path in folder.iterdir() if path.name.startswith("fluid") and path.is_file()]
+    def assert_in_pieces(self, folders, expected, kind="fluid"):
+        """Whether the files of a kind in the folders of that pattern are pieces with an index, or whole."""
+        found = [path for folder in self.folder.glob(folders) for path in folder.iterdir() if path.name.startswith(kind) and path.is_file()]
         self.assertTrue(found)
-        self.assertEqual({path.suffix for path in found}, {".pvti" if expected else ".vti"})
+        whole = {"fluid": ".vti", "membrane": ".vtu"}[kind]
+        self.assertEqual({path.suffix for path in found}, {".p" + whole[1:] if expected else whole})
         self.assertEqual(sorted(path.stem for path in found), sorted(
-            path.name if path.is_dir() else path.stem for folder in self.folder.glob(folders) for path in folder.glob("fluid*")
+            path.name if path.is_dir() else path.stem for folder in self.folder.glob(folders) for path in folder.glob(f"{kind}*")
             if path.is_dir() == expected))
 
     def assert_same(self, first, second):
@@ -144,7 +145,7 @@ class OnRanks(InFolder):
                 shutil.rmtree(folder)
             for echo in (self.folder / run).rglob("echo.toml"):  # which says how the box was cut by hand, and what is in pieces
                 text = re.sub(r"(?m)^ranks = .*$", "ranks = [0, 0, 0]", echo.read_text())
-                echo.write_text(re.sub(r"(?m)^whole_file_nodes = .*$", "whole_file_nodes = 0", text))
+                echo.write_text(re.sub(r"(?m)^(whole_file_nodes|whole_file_triangles) = .*$", r"\1 = 1", text))
         done = subprocess.run([self.program, "diff", first, second], cwd=self.folder, capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         for table in ("observables.csv", "measures.csv", "energy.csv"):
@@ -162,8 +163,9 @@ class Equal(OnRanks):
                     pieces = PIECES if name in IN_PIECES else []
                     said = self.run_well("run", "case.toml", "--force", "--output", "many", *settings, *pieces, ranks=ranks)
                     self.assertIn("ranks (", said)
-                    for place in ("fluid", "checkpoints/step_*"):
-                        self.assert_in_pieces(f"many/{place}", bool(pieces))
+                    for kind in ("fluid", "membrane"):
+                        for place in (kind, "checkpoints/step_*"):
+                            self.assert_in_pieces(f"many/{place}", bool(pieces) and (kind == "fluid" or SECOND in case), kind)
                     self.assert_same("one", "many")
 
     def test_a_checkpoint_of_some_ranks_goes_on_with_others(self):
@@ -182,6 +184,7 @@ class Equal(OnRanks):
 
     def test_in_pieces_a_run_goes_on_with_other_ranks(self):
         """Of some ranks with others, and from one file to pieces and back."""
+        (self.folder / "case.toml").write_text(CASE + SECOND)
         settings = ["--set", "flow.viscosity_ratio=3"]
         self.run_well("run", "case.toml", "--output", "whole", *settings)
         self.run_well("run", "case.toml", "--output", "parts", *settings, *PIECES, "--shear-time", "0.02", ranks=3)
@@ -194,9 +197,10 @@ class Equal(OnRanks):
         for run, pieces in (("parts", True), ("whole", False)):
             self.run_well("run", "case.toml", "--force", "--output", run, *settings, *(PIECES if pieces else []), "--shear-time", "0.02", ranks=3)
             echo = self.folder / run / "echo.toml"
-            echo.write_text(re.sub(r"(?m)^whole_file_nodes = .*$", f"whole_file_nodes = {16777216 if pieces else 100}", echo.read_text()))
+            echo.write_text(re.sub(r"(?m)^(whole_file_nodes|whole_file_triangles) = .*$", r"\1 = " + ("16777216" if pieces else "100"), echo.read_text()))
             self.run_well("run", "--resume", run, "--shear-time", "0.06", ranks=2)
-            self.assert_in_pieces(f"{run}/checkpoints/step_*27", not pieces)
+            for kind in ("fluid", "membrane"):
+                self.assert_in_pieces(f"{run}/checkpoints/step_*27", not pieces, kind)
         self.assert_same("whole", "parts")
 
     def test_each_piece_has_the_numbers_of_the_whole(self):
@@ -216,6 +220,23 @@ class Equal(OnRanks):
                 (x0, x1, y0, y1, z0, z1), arrays = grid(vtkXMLImageDataReader(), piece)
                 for name, values in arrays.items():
                     self.assertEqual(values.tobytes(), whole[name][z0 : z1 + 1, y0 : y1 + 1, x0 : x1 + 1].tobytes(), (piece, name))
+
+    def test_pieces_of_membranes_do_not_depend_on_ranks(self):
+        """Five capsules, two a piece: the same files to the last byte, whoever writes them, and of a state too."""
+        more = SECOND + "".join(SECOND.replace("[5, 15, 6.4]", at) for at in ("[18, 4, 6.5]", "[18, 15, 11.5]", "[5, 5, 11.5]"))
+        (self.folder / "case.toml").write_text(CASE + more)
+        settings = ["--shear-time", "0.02", "--set", "output.whole_file_triangles=160"]
+        for name, ranks in (("one", 1), ("two", 2), ("six", 6)):
+            self.run_well("run", "case.toml", "--output", name, *settings, ranks=ranks)
+        for place, n_steps in (("membrane/membrane_*", 2), ("checkpoints/step_*/membrane", 2)):
+            found = {name: {path.relative_to(self.folder / name): path.read_bytes() for path in (self.folder / name).glob(place + "/*.vtu")}
+                     for name in ("one", "two", "six")}
+            self.assertEqual(len(found["one"]), 3 * n_steps)
+            self.assertEqual(found["two"], found["one"])
+            self.assertEqual(found["six"], found["one"])
+        self.run_well("run", "--resume", "one", "--shear-time", "0.04", ranks=4)
+        self.run_well("run", "--resume", "six", "--shear-time", "0.04")
+        self.assert_same("one", "six")
 
     def test_pieces_of_later_files_go(self):
         """A run that goes on from an earlier checkpoint leaves no piece of what comes after it, and none that lacks its index."""
@@ -285,27 +306,33 @@ class Ended(OnRanks):
                 self.assertEqual(messages[1:], messages[:1] * (len(messages) - 1))
 
     def test_a_piece_that_cannot_be_read_is_named(self):
+        (self.folder / "case.toml").write_text(CASE + SECOND)
         self.run_well("run", "case.toml", "--output", "out", *PIECES, ranks=3)
         last = sorted((self.folder / "out/checkpoints").glob("step_*"))[-1]
-        piece = last / "fluid/1.vti"
-        content = piece.read_bytes()
-        changed = content[:-2000] + bytes([content[-2000] ^ 1]) + content[-1999:]
-        for spoil, word in (
-            (lambda: piece.write_bytes(changed), "their hash is not the file's"),
-            (lambda: piece.write_bytes((last / "fluid/2.vti").read_bytes()), "do not belong together"),
-            (piece.unlink, "no such file, a piece of"),
-        ):
-            spoil()
-            for ranks in (1, 2):
-                with self.subTest(word, ranks=ranks):
-                    before = sorted((self.folder / "out").rglob("*"))
-                    done = self.call("run", "--resume", "out", "--shear-time", "0.1", ranks=ranks)
-                    self.assertEqual(done.returncode, 2, done.stderr)
-                    self.assertEqual(done.stderr.count("tanktread: error:"), 1, done.stderr)
-                    self.assertIn("fluid/1.vti", done.stderr)
-                    self.assertIn(word, done.stderr)
-                    self.assertIn("--from-step 18", done.stderr)
-                    self.assertEqual(sorted((self.folder / "out").rglob("*")), before)
+        for name, other, of_other in (("fluid/1.vti", "fluid/2.vti", "do not belong together"), ("membrane/1.vtu", "membrane/0.vtu", "must be there once")):
+            piece = last / name
+            content = piece.read_bytes()
+            middle = len(content) // 2
+            changed = content[:middle] + bytes([content[middle] ^ 1]) + content[middle + 1 :]
+            for spoil, word in (
+                (lambda: piece.write_bytes(changed), "their hash is not the file's"),
+                (lambda: piece.write_bytes((last / other).read_bytes()), of_other),
+                (piece.unlink, "no such file, a piece of"),
+            ):
+                spoil()
+                for ranks in (1, 2):
+                    with self.subTest(name, word=word, ranks=ranks):
+                        before = sorted((self.folder / "out").rglob("*"))
+                        done = self.call("run", "--resume", "out", "--shear-time", "0.1", ranks=ranks)
+                        self.assertEqual(done.returncode, 2, done.stderr)
+                        self.assertEqual(done.stderr.count("tanktread: error:"), 1, done.stderr)
+                        if word != of_other or ranks == 2 or name.startswith("fluid"):
+                            self.assertIn(word, done.stderr)
+                        self.assertIn(name if word != of_other or name.startswith("fluid") else "membrane.pvtu", done.stderr)
+                        self.assertIn("--from-step 18", done.stderr)
+                        self.assertEqual(sorted((self.folder / "out").rglob("*")), before)
+            piece.write_bytes(content)
+        (last / "membrane/1.vtu").unlink()
         self.run_well("run", "--resume", "out", "--from-step", "18", ranks=2)
 
     def test_a_signal_to_the_first_rank_ends_the_run_with_a_checkpoint(self):
