@@ -9,12 +9,27 @@
 namespace tanktread::fluid {
 namespace {
 
-std::span<const double> checked(const StateArray& array, int components, std::int64_t n_nodes) {
-  if (array.components != components ||
-      static_cast<std::int64_t>(array.values.size()) != components * n_nodes) {
-    refuse("state array '" + array.name + "' has " + std::to_string(array.components) + " components and " +
-           std::to_string(array.values.size()) + " values; " + std::to_string(components) + " and " +
-           std::to_string(components * n_nodes) + " are needed for this box");
+/// Components of an array that a solver knows; 0: it does not know it.
+int components_of(const std::string& array) {
+  if (array == "populations") return d3q19::n_directions;
+  return array == "force" ? 3 : (array == "viscosity" ? 1 : 0);
+}
+
+bool has_array(const StateShape& state, const char* name) {
+  return std::ranges::any_of(state.arrays, [&](const auto& array) { return array.name == name; });
+}
+
+StateShape shape_of(const State& state) {
+  StateShape shape{state.step, {}};
+  for (const auto& array : state.arrays) shape.arrays.push_back({array.name, array.components});
+  return shape;
+}
+
+std::span<const double> checked(const StateArray& array, std::int64_t n_nodes) {
+  const std::int64_t needed = array.components * n_nodes;
+  if (std::ssize(array.values) != needed) {
+    refuse("state array '" + array.name + "' has " + std::to_string(array.values.size()) + " values; " +
+           std::to_string(needed) + " are needed for this box");
   }
   return array.values;
 }
@@ -59,6 +74,13 @@ void check_size(const std::string& what, std::size_t size, std::int64_t needed) 
   }
 }
 
+std::int64_t check_layers(const std::string& what, Layers layers, const GridShape& shape) {
+  if (0 <= layers.begin && layers.begin <= layers.end && layers.end <= shape.nz)
+    return std::int64_t{layers.end - layers.begin} * shape.nx * shape.ny;
+  refuse(what + " got layers " + std::to_string(layers.begin) + " to before " + std::to_string(layers.end) +
+         ", the box has " + std::to_string(shape.nz));
+}
+
 void check_nodes(const std::string& what, std::span<const std::int64_t> nodes, std::size_t n_numbers,
                  std::int64_t n_nodes, int threads) {
   if (n_numbers != 3 * nodes.size()) {
@@ -68,9 +90,14 @@ void check_nodes(const std::string& what, std::span<const std::int64_t> nodes, s
   check_in_box(what, nodes, n_nodes, threads);
 }
 
+void check_viscosity_from(std::int64_t first_node, std::span<const double> kinematic_viscosity) {
+  for (std::size_t k = 0; k < kinematic_viscosity.size(); ++k)
+    check_viscosity_of(first_node + static_cast<std::int64_t>(k), kinematic_viscosity[k]);
+}
+
 void check_viscosity(std::span<const double> kinematic_viscosity, std::int64_t n_nodes) {
   check_count(kinematic_viscosity, n_nodes);
-  for (std::int64_t node = 0; node < n_nodes; ++node) check_viscosity_of(node, kinematic_viscosity[node]);
+  check_viscosity_from(0, kinematic_viscosity);
 }
 
 void check_viscosity_of_nodes(std::span<const std::int64_t> nodes,
@@ -81,24 +108,33 @@ void check_viscosity_of_nodes(std::span<const std::int64_t> nodes,
 }
 
 StateArrays check_state(const State& state, std::int64_t n_nodes) {
-  if (state.step < 0) refuse("the state's step is " + std::to_string(state.step) + ", must be >= 0");
+  check_state_shape(shape_of(state));
   StateArrays arrays;
   for (const auto& array : state.arrays) {
-    if (array.name == "populations") {
-      arrays.populations = checked(array, d3q19::n_directions, n_nodes);
-    } else if (array.name == "force") {
-      arrays.force = checked(array, 3, n_nodes);
-    } else if (array.name == "viscosity") {
-      arrays.viscosity = checked(array, 1, n_nodes);
-      check_viscosity(arrays.viscosity, n_nodes);
-    } else {
+    const auto values = checked(array, n_nodes);
+    if (array.name == "populations") arrays.populations = values;
+    if (array.name == "force") arrays.force = values;
+    if (array.name == "viscosity") arrays.viscosity = values;
+  }
+  check_viscosity_from(0, arrays.viscosity);
+  return arrays;
+}
+
+void check_state_shape(const StateShape& state) {
+  if (state.step < 0) refuse("the state's step is " + std::to_string(state.step) + ", must be >= 0");
+  for (const auto& array : state.arrays) {
+    const int needed = components_of(array.name);
+    if (needed == 0) {
       refuse("the state has an array '" + array.name +
              "', which this solver does not know (it knows populations, force, viscosity)");
     }
+    if (array.components != needed) {
+      refuse("state array '" + array.name + "' has " + std::to_string(array.components) + " components; " +
+             std::to_string(needed) + " are needed");
+    }
   }
-  if (arrays.populations.empty()) refuse("the state has no array 'populations'");
-  if (arrays.force.empty()) refuse("the state has no array 'force'");
-  return arrays;
+  for (const char* name : {"populations", "force"})
+    if (!has_array(state, name)) refuse(std::string("the state has no array '") + name + "'");
 }
 
 }  // namespace tanktread::fluid

@@ -6,7 +6,8 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <vector>
+
+#include "fluid/state.hpp"
 
 namespace tanktread::fluid {
 
@@ -19,20 +20,6 @@ struct GridShape {
   /// Linear index of a node, x fastest: the order of every array that crosses this border (and of VTK).
   std::int64_t index(int x, int y, int z) const { return (std::int64_t{z} * ny + y) * nx + x; }
   bool operator==(const GridShape&) const = default;
-};
-
-/// A named array of a solver's state. `values` holds `components` numbers a node, component fastest, then x,
-/// y, z.
-struct StateArray {
-  std::string name;
-  int components = 1;
-  std::vector<double> values;
-};
-
-/// Everything a solver needs to go on bit for bit: restore(state()) changes nothing that can be observed.
-struct State {
-  std::int64_t step = 0;           ///< number of steps done since the start
-  std::vector<StateArray> arrays;  ///< the solver's own arrays, the last grid force among them
 };
 
 /// The flow went wrong (NaN, or a speed at or over the limit). The message says what, where and at which
@@ -88,14 +75,19 @@ class Fluid {
   virtual void dissipation(std::span<double> power) const = 0;
 
   /// Power that moving walls give to the fluid beside every node on the way to the next step(): the sum of
-  /// (momentum given).(velocity of the wall) over the links of the node that meet a wall; 0 elsewhere. Nothing
-  /// changes.
+  /// (momentum given).(velocity of the wall) over the links of the node that meet a wall; 0 elsewhere.
+  /// Nothing changes.
   /// @param power size() numbers, force times velocity; overwritten
   /// @throws std::invalid_argument for another number of them; std::logic_error of a solver that cannot tell
   virtual void wall_power(std::span<double> power) const = 0;
 
   /// Density and velocity of every node, for output: size() and 3 size() numbers, overwritten. As velocity().
   virtual void moments(std::span<double> density, std::span<double> velocity) const = 0;
+
+  /// The same of the nodes of some layers: one number and three a node there. A solver that has not its own
+  /// way asks moments() for all nodes.
+  /// @throws std::invalid_argument if the sizes do not match or a layer lies outside the box
+  virtual void moments_of_layers(Layers layers, std::span<double> density, std::span<double> velocity) const;
 
   /// Adds a force on each node listed (3 numbers a node). A node may be listed more than once.
   /// @throws std::invalid_argument if the sizes do not match or a node lies outside the box
@@ -132,10 +124,24 @@ class Fluid {
   /// The whole state, for a checkpoint or another program.
   virtual State state() const = 0;
 
+  /// What state() has, without its numbers; and of one of its arrays the numbers on some layers, bit for bit
+  /// those of state(). A solver that has not its own way makes the whole state for that.
+  /// @param values `components` numbers a node of the layers; overwritten
+  /// @throws std::invalid_argument if there is no such array, the sizes do not match or a layer lies outside
+  /// the box
+  virtual StateShape state_shape() const;
+  virtual void state_of_layers(const std::string& array, Layers layers, std::span<double> values) const;
+
   /// Takes over a state of a solver with the same settings.
   /// @throws std::invalid_argument naming the array that is missing, unknown or of the wrong size; the solver
   /// then stays as it was
   virtual void restore(const State& state) = 0;
+
+  /// The same from a state in parts. Nothing is changed before StateSource::accepted(): what is thrown until
+  /// then (as restore() does, and by the source) leaves the solver as it was. If the source fails afterwards
+  /// the state is of no use: restore another before anything else. A solver that has not its own way puts the
+  /// state together, and then calls restore().
+  virtual void restore_from(const StateSource& state);
 };
 
 }  // namespace tanktread::fluid

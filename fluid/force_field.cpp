@@ -71,10 +71,12 @@ void ForceField::clear() {
   }
 }
 
-void ForceField::restore(std::span<const double> added) {
+void ForceField::restore(std::int64_t first_row, std::span<const double> added) {
+  const std::int64_t n = std::ssize(added) / (3 * nx_);
 #pragma omp parallel for num_threads(n_threads_) schedule(static)
-  for (std::int64_t row = 0; row < n_rows(); ++row) {
-    const auto from = added.subspan(3 * row * nx_, 3 * nx_);
+  for (std::int64_t k = 0; k < n; ++k) {
+    const std::int64_t row = first_row + k;
+    const auto from = added.subspan(3 * k * nx_, 3 * nx_);
     double* to = &added_[3 * row * nx_];
     auto& reach = reach_[row];
     const bool was_zero = reach.end == 0;

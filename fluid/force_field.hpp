@@ -20,8 +20,8 @@ class ForceField {
 
   void add(std::span<const std::int64_t> nodes, std::span<const double> force);
   void clear();
-  /// @param added 3 numbers a node
-  void restore(std::span<const double> added);
+  /// Of the rows from `first_row` on. @param added 3 numbers a node, whole rows
+  void restore(std::int64_t first_row, std::span<const double> added);
 
   /// The added force, 3 numbers a node.
   std::span<const double> added() const { return {added_.get(), n_numbers_}; }

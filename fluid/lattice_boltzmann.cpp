@@ -12,6 +12,7 @@
 #include "fluid/force_field.hpp"
 #include "fluid/incoming_moments.hpp"
 #include "fluid/kept_velocity.hpp"
+#include "fluid/lattice_state.hpp"
 #include "fluid/node_dissipation.hpp"
 #include "fluid/node_moments.hpp"
 #include "fluid/node_rates.hpp"
@@ -48,7 +49,7 @@ class LatticeBoltzmann final : public Fluid {
     for_each_row([&](int y, int z) {
       for (int x = 0; x < shape().nx; ++x)
         put_outgoing(
-            x, y, z,
+            lattice_, last_turn(), x, y, z,
             start_populations(settings_, part_.begin[0] + x, part_.begin[1] + y, part_.begin[2] + z).data());
     });
     if (halo_) halo_->send(last_turn());
@@ -82,17 +83,23 @@ class LatticeBoltzmann final : public Fluid {
   }
 
   void moments(std::span<double> density, std::span<double> velocity) const override {
-    const std::int64_t n = shape().size();
+    moments_of_layers({0, shape().nz}, density, velocity);
+  }
+
+  void moments_of_layers(Layers layers, std::span<double> density,
+                         std::span<double> velocity) const override {
+    const std::int64_t n = check_layers("moments()", layers, shape());
     check_size("moments(): density", density.size(), n);
     check_size("moments(): velocity", velocity.size(), 3 * n);
+    const std::int64_t first = shape().index(0, 0, layers.begin);
 #pragma omp parallel num_threads(n_threads_)
     {
       auto reader = moment_reader();
 #pragma omp for schedule(static)
-      for (std::int64_t node = 0; node < n; ++node) {
-        const auto at_node = reader.at(node);
-        density[node] = at_node.density;
-        std::copy_n(at_node.velocity.data(), 3, &velocity[3 * node]);
+      for (std::int64_t k = 0; k < n; ++k) {
+        const auto at_node = reader.at(first + k);
+        density[k] = at_node.density;
+        std::copy_n(at_node.velocity.data(), 3, &velocity[3 * k]);
       }
     }
   }
@@ -118,7 +125,7 @@ class LatticeBoltzmann final : public Fluid {
     if (!lattice_.walls()) return;
     for_each_wall_node(shape(), lattice_.walls()->axis, [&](int x, int y, int z) {
       double outgoing[n_directions];
-      get_outgoing(x, y, z, outgoing);
+      get_outgoing(lattice_, last_turn(), x, y, z, outgoing);
       double& of_node = power[shape().index(x, y, z)];
       for (int i = 1; i < n_directions; ++i)
         if (lattice_.from_wall(i, x, y, z))
@@ -162,31 +169,47 @@ class LatticeBoltzmann final : public Fluid {
   }
 
   State state() const override {
-    State state;
-    state.step = step_;
-    state.arrays.push_back({"populations", n_directions, std::vector<double>(n_directions * shape().size())});
-    const auto force = force_.added();
-    state.arrays.push_back({"force", 3, {force.begin(), force.end()}});
-    if (rates_.is_set()) state.arrays.push_back({"viscosity", 1, rates_.viscosity()});
-    auto& values = state.arrays[0].values;
-    for_each_row([&](int y, int z) {
-      for (int x = 0; x < shape().nx; ++x)
-        get_outgoing(x, y, z, &values[n_directions * shape().index(x, y, z)]);
-    });
+    State state{step_, {}};
+    for (const auto& [name, components] : parts_.arrays()) {
+      state.arrays.push_back({name, components, {}});
+      auto& values = state.arrays.back().values;
+      values.resize(static_cast<std::size_t>(components * shape().size()));
+      state_of_layers(name, {0, shape().nz}, values);
+    }
     return state;
   }
 
+  StateShape state_shape() const override {
+    return {step_, parts_.arrays()};
+  }
+
+  void state_of_layers(const std::string& array, Layers layers, std::span<double> values) const override {
+    parts_.get(array, layers, last_turn(), values);
+  }
+
   void restore(const State& state) override {
-    const auto arrays = check_state(state, shape().size());
-    rates_.set_all(arrays.viscosity);  // first: it may find no memory
-    receive();                         // what is under way is of the state before
-    step_ = state.step;
-    force_.restore(arrays.force);
+    check_state(state, shape().size());
+    restore_from(StateInMemory(state, shape()));
+  }
+
+  void restore_from(const StateSource& state) override {
+    const auto its_shape = state.shape();
+    parts_.check(state, its_shape);
+    state.accepted();
+    if (parts_.has_viscosity(its_shape)) {
+      rates_.begin_set_all();  // first: it may find no memory
+    } else {
+      rates_.set_all({});
+    }
+    receive();  // what is under way is of the state before
+    step_ = its_shape.step;
     kept_velocity_.forget();
-    for_each_row([&](int y, int z) {
-      for (int x = 0; x < shape().nx; ++x)
-        put_outgoing(x, y, z, &arrays.populations[n_directions * shape().index(x, y, z)]);
-    });
+    try {
+      parts_.put(state, its_shape, last_turn());
+    } catch (...) {  // of the source; the neighbours, who know nothing of it, need not wait for nobody
+      if (halo_) halo_->send(last_turn());
+      throw;
+    }
     if (halo_) halo_->send(last_turn());
   }
 
@@ -196,8 +219,12 @@ class LatticeBoltzmann final : public Fluid {
     if (halo_) halo_->receive();
   }
 
-  Turn next_turn() const { return step_ % 2 == 0 ? Turn::streaming : Turn::local; }
-  Turn last_turn() const { return step_ % 2 == 0 ? Turn::local : Turn::streaming; }
+  Turn next_turn() const {
+    return step_ % 2 == 0 ? Turn::streaming : Turn::local;
+  }
+  Turn last_turn() const {
+    return step_ % 2 == 0 ? Turn::local : Turn::streaming;
+  }
 
   template <typename Body>
   void for_each_row(Body&& body) const {
@@ -206,19 +233,6 @@ class LatticeBoltzmann final : public Fluid {
 #pragma omp parallel for num_threads(n_threads_) schedule(static)
     for (std::int64_t row = 0; row < n_rows; ++row)
       body(static_cast<int>(row % ny), static_cast<int>(row / ny));
-  }
-
-  // A state holds doubles, which hold the lattice's numbers exactly.
-  void get_outgoing(int x, int y, int z, double* populations) const {
-    Real numbers[n_directions];
-    lattice_.get_outgoing(last_turn(), x, y, z, numbers);
-    std::copy_n(numbers, n_directions, populations);
-  }
-  void put_outgoing(int x, int y, int z, const double* populations) {
-    Real numbers[n_directions];
-    std::transform(populations, populations + n_directions, numbers,
-                   [](double number) { return static_cast<Real>(number); });
-    lattice_.put_outgoing(last_turn(), x, y, z, numbers);
   }
 
   /// @param of_row of the nodes of the row
@@ -303,6 +317,7 @@ class LatticeBoltzmann final : public Fluid {
   NodeRates<Real> rates_;
   ForceField force_;
   KeptVelocity<Real> kept_velocity_;
+  LatticeState<Real> parts_{lattice_, rates_, force_, n_threads_};
   std::int64_t step_ = 0;
 };
 

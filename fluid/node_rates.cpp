@@ -41,21 +41,35 @@ void NodeRates<Real>::set_all(std::span<const double> viscosity) {
     packs_of_known_.fill(0);
     return;
   }
-  prepare();
-  for (std::size_t node = 0; node < viscosity.size(); ++node) {
-    const double value = kept(viscosity[node]);
-    if (viscosity_[node] != value) viscosity_[node] = value;  // to read takes no memory
-  }
-  for (std::int64_t pack = 0; pack < n_packs_; ++pack) classify(pack);
+  begin_set_all();
+  set_rows(0, viscosity);
 }
 
 template <typename Real>
-std::vector<double> NodeRates<Real>::viscosity() const {
-  std::vector<double> viscosity(shape_.size(), base_viscosity_);
-  if (!is_set()) return viscosity;
-  for (std::size_t node = 0; node < viscosity.size(); ++node)
-    if (viscosity_[node] != 0.0) viscosity[node] = viscosity_[node];
-  return viscosity;
+void NodeRates<Real>::begin_set_all() {
+  prepare();
+}
+
+template <typename Real>
+void NodeRates<Real>::set_rows(std::int64_t first_row, std::span<const double> viscosity) {
+  const std::int64_t first_node = first_row * shape_.nx, n_rows = std::ssize(viscosity) / shape_.nx;
+  for (std::size_t k = 0; k < viscosity.size(); ++k) {
+    double& of_node = viscosity_[first_node + static_cast<std::int64_t>(k)];
+    const double value = kept(viscosity[k]);
+    if (of_node != value) of_node = value;  // to read takes no memory
+  }
+  for (std::int64_t pack = first_row * packs_a_row_; pack < (first_row + n_rows) * packs_a_row_; ++pack)
+    classify(pack);
+}
+
+template <typename Real>
+void NodeRates<Real>::viscosity(std::int64_t first_node, std::span<double> viscosity) const {
+  std::ranges::fill(viscosity, base_viscosity_);
+  if (!is_set()) return;
+  for (std::size_t k = 0; k < viscosity.size(); ++k) {
+    const double of_node = viscosity_[first_node + static_cast<std::int64_t>(k)];
+    if (of_node != 0.0) viscosity[k] = of_node;
+  }
 }
 
 template <typename Real>

@@ -36,11 +36,16 @@ class NodeRates {
   /// @throws std::bad_alloc as the other
   void set_all(std::span<const double> viscosity);
 
+  /// set_all() in parts: first room for what comes (@throws std::bad_alloc; all is then as before), then of
+  /// each row. @param viscosity whole rows, from `first_row` on
+  void begin_set_all();
+  void set_rows(std::int64_t first_row, std::span<const double> viscosity);
+
   /// Whether viscosities were set, be it to that of the settings.
   bool is_set() const { return !class_of_.empty(); }
 
-  /// Of every node.
-  std::vector<double> viscosity() const;
+  /// Of as many nodes, from `first_node` on; overwritten.
+  void viscosity(std::int64_t first_node, std::span<double> viscosity) const;
 
   /// Packs whose rates a step loads from the array.
   std::int64_t n_mixed() const;

@@ -3,7 +3,7 @@ tanktread_test(fluid_unit
   SOURCES unit/fluid_breakdown_test.cpp unit/fluid_collision_test.cpp unit/fluid_determinism_test.cpp
     unit/fluid_dissipation_test.cpp
     unit/fluid_force_test.cpp unit/fluid_free_velocity_test.cpp unit/fluid_node_rates_test.cpp
-    unit/fluid_parts_test.cpp unit/fluid_settings_test.cpp unit/fluid_viscosity_test.cpp
+    unit/fluid_parts_test.cpp unit/fluid_settings_test.cpp unit/fluid_state_parts_test.cpp unit/fluid_viscosity_test.cpp
   LIBRARIES tanktread::fluid)
 tanktread_test(fluid_verification
   SOURCES verification/fluid_channel_test.cpp verification/fluid_layers_test.cpp verification/fluid_power_test.cpp
