@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <optional>
+#include <span>
 #include <string_view>
 
 #define XXH_INLINE_ALL  // no library to link: whoever uses the installed component needs none either
@@ -36,13 +36,24 @@ class Hasher {
     add_bytes(numbers.data(), n_bytes);
   }
 
-  void add_arrays(std::string_view kind, const std::vector<Array>& arrays) {
+  void begin_arrays(std::string_view kind, std::size_t n_arrays) {
     add(kind);
-    add(static_cast<std::int64_t>(arrays.size()));
+    add(static_cast<std::int64_t>(n_arrays));
+  }
+
+  /// Its values follow, in any parts.
+  void begin_array(std::string_view name, int components, std::size_t n_values) {
+    add(name);
+    add(std::int64_t{components});
+    add(static_cast<std::int64_t>(n_values * sizeof(double)));
+  }
+  void add_values(std::span<const double> values) { add_bytes(values.data(), values.size_bytes()); }
+
+  void add_arrays(std::string_view kind, const std::vector<Array>& arrays) {
+    begin_arrays(kind, arrays.size());
     for (const auto& array : arrays) {
-      add(std::string_view(array.name));
-      add(std::int64_t{array.components});
-      add_list(array.values);
+      begin_array(array.name, array.components, array.values.size());
+      add_values(array.values);
     }
   }
 
@@ -56,26 +67,9 @@ class Hasher {
   XXH3_state_t state_;
 };
 
-/// Takes the array that holds the hash out of the field data; none if there is none.
-std::optional<Array> take_hash(std::vector<Array>& field_data) {
-  const auto found = std::find_if(field_data.begin(), field_data.end(),
-                                  [](const Array& array) { return array.name == content_hash_name; });
-  if (found == field_data.end()) return std::nullopt;
-  auto array = std::move(*found);
-  field_data.erase(found);
-  return array;
-}
-
 template <class Packet>
 void check(Packet& packet, const std::filesystem::path& file) {
-  const auto stored = take_hash(packet.field_data);
-  if (stored && stored->values != to_array(content_hash(packet)).values) {
-    throw FileError(
-        fmt::format("{}: the contents are not those that were written: their hash is not the file's {}. The "
-                    "file is damaged: write or copy it again. If it was changed on purpose, remove the array "
-                    "{} from its field data",
-                    file.string(), content_hash_name, content_hash_name));
-  }
+  if (const auto stored = take_hash(packet.field_data)) check_hash(*stored, content_hash(packet), file);
 }
 
 }  // namespace
@@ -92,17 +86,43 @@ std::uint64_t content_hash(const SurfacePacket& packet) {
   return hasher.result();
 }
 
-std::uint64_t content_hash(const GridPacket& packet) {
+struct GridHash::State {
   Hasher hasher;
+};
+
+GridHash::GridHash(const GridPacket& grid, std::size_t n_arrays) : state_(std::make_unique<State>()) {
+  auto& hasher = state_->hasher;
   hasher.add("grid");
-  for (const int n : packet.nodes) hasher.add(std::int64_t{n});
-  auto origin = first_node(packet);
+  for (const int n : grid.nodes) hasher.add(std::int64_t{n});
+  auto origin = first_node(grid);
   for (double& x : origin) x += 0.0;  // -0.0 becomes 0.0
   hasher.add_list(origin);
-  hasher.add_list(packet.spacing);
-  hasher.add_arrays("point data", packet.point_data);
-  hasher.add_arrays("field data", packet.field_data);
-  return hasher.result();
+  hasher.add_list(grid.spacing);
+  hasher.begin_arrays("point data", n_arrays);
+}
+
+GridHash::~GridHash() = default;
+
+void GridHash::begin_array(const ArrayShape& array, std::size_t n_values) {
+  state_->hasher.begin_array(array.name, array.components, n_values);
+}
+
+void GridHash::add(std::span<const double> values) {
+  state_->hasher.add_values(values);
+}
+
+std::uint64_t GridHash::with(const std::vector<Array>& field_data) {
+  state_->hasher.add_arrays("field data", field_data);
+  return state_->hasher.result();
+}
+
+std::uint64_t content_hash(const GridPacket& packet) {
+  GridHash hash(packet, packet.point_data.size());
+  for (const auto& array : packet.point_data) {
+    hash.begin_array({array.name, array.components}, array.values.size());
+    hash.add(array.values);
+  }
+  return hash.with(packet.field_data);
 }
 
 Array to_array(std::uint64_t hash) {
@@ -115,6 +135,24 @@ void check_content(SurfacePacket& packet, const std::filesystem::path& file) {
 
 void check_content(GridPacket& packet, const std::filesystem::path& file) {
   check(packet, file);
+}
+
+std::optional<Array> take_hash(std::vector<Array>& field_data) {
+  const auto found = std::find_if(field_data.begin(), field_data.end(),
+                                  [](const Array& array) { return array.name == content_hash_name; });
+  if (found == field_data.end()) return std::nullopt;
+  auto array = std::move(*found);
+  field_data.erase(found);
+  return array;
+}
+
+void check_hash(const Array& stored, std::uint64_t found, const std::filesystem::path& file) {
+  if (stored.values == to_array(found).values) return;
+  throw FileError(
+      fmt::format("{}: the contents are not those that were written: their hash is not the file's {}. The "
+                  "file is damaged: write or copy it again. If it was changed on purpose, remove the array "
+                  "{} from its field data",
+                  file.string(), content_hash_name, content_hash_name));
 }
 
 void drop_hash(std::vector<Array>& field_data) {

@@ -3,8 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "exchange/array_shape.hpp"
 #include "exchange/packet.hpp"
 
 namespace tanktread::exchange {
@@ -23,6 +27,25 @@ inline constexpr const char* content_hash_name = "content_hash";
 std::uint64_t content_hash(const SurfacePacket& packet);
 std::uint64_t content_hash(const GridPacket& packet);
 
+/// The same of a grid whose numbers come in parts: array after array, each begun and then added to.
+class GridHash {
+ public:
+  /// @param grid all but its point data @param n_arrays of point data
+  GridHash(const GridPacket& grid, std::size_t n_arrays);
+  ~GridHash();
+  GridHash(const GridHash&) = delete;
+  GridHash& operator=(const GridHash&) = delete;
+
+  void begin_array(const ArrayShape& array, std::size_t n_values);
+  void add(std::span<const double> values);
+  /// After the last array.
+  std::uint64_t with(const std::vector<Array>& field_data);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
 /// The hash as the array of a file.
 Array to_array(std::uint64_t hash);
 
@@ -31,6 +54,13 @@ Array to_array(std::uint64_t hash);
 /// @throws FileError if they differ
 void check_content(SurfacePacket& packet, const std::filesystem::path& file);
 void check_content(GridPacket& packet, const std::filesystem::path& file);
+
+/// Takes the array content_hash out of field data; none if there is none.
+std::optional<Array> take_hash(std::vector<Array>& field_data);
+
+/// @param stored the array content_hash of a file @param found of its contents @throws FileError if they
+/// differ
+void check_hash(const Array& stored, std::uint64_t found, const std::filesystem::path& file);
 
 /// Takes the array content_hash out of field data unread.
 void drop_hash(std::vector<Array>& field_data);

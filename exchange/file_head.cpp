@@ -33,13 +33,6 @@ bool has(vtkXMLDataElement& element, const char* attribute, const char* value) {
   return found != nullptr && std::strcmp(found, value) == 0;
 }
 
-bool is_raw(vtkXMLDataElement& root) {
-  auto* data = root.FindNestedElementWithName("AppendedData");
-  return data != nullptr && has(*data, "encoding", "raw") && root.GetAttribute("compressor") == nullptr &&
-         has(root, "header_type", "UInt64") && has(root, "byte_order", "LittleEndian") &&
-         std::endian::native == std::endian::little;
-}
-
 /// The name of each array by its offset, in the order of the offsets.
 void collect_offsets(vtkXMLDataElement& element, std::map<std::int64_t, std::string>& names) {
   long long offset = 0;
@@ -73,7 +66,7 @@ void check_appended_layout(vtkXMLDataParser& parser, std::ifstream& stream,
   const auto first = static_cast<std::uint64_t>(parser.GetAppendedDataPosition());
   // VTK's own way to begin and end the numbers: with it, not even bytes lost before the end go unseen.
   constexpr std::string_view begin = ">\n   _", end_of_all = "\n  </AppendedData>";
-  if (!is_raw(root) || !has_text_at(stream, first - begin.size(), begin)) return;
+  if (!has_raw_numbers(root) || !has_text_at(stream, first - begin.size(), begin)) return;
   std::map<std::int64_t, std::string> names;
   collect_offsets(root, names);
   for (auto array = names.begin(); array != names.end(); ++array) {
@@ -182,6 +175,13 @@ void parse_head(vtkXMLDataParser& parser, std::istream& stream, const std::files
   if (parser.Parse() != 1 || !messages.text().empty()) {
     throw FileError(fmt::format("{}: cannot be read: {}", file.string(), messages.text()));
   }
+}
+
+bool has_raw_numbers(vtkXMLDataElement& root) {
+  auto* data = root.FindNestedElementWithName("AppendedData");
+  return data != nullptr && has(*data, "encoding", "raw") && root.GetAttribute("compressor") == nullptr &&
+         has(root, "header_type", "UInt64") && has(root, "byte_order", "LittleEndian") &&
+         std::endian::native == std::endian::little;
 }
 
 int check_head(const WholeFile& file, const std::string& type, bool exact) {

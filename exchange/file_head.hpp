@@ -5,6 +5,7 @@
 #include <istream>
 #include <string>
 
+class vtkXMLDataElement;
 class vtkXMLDataParser;
 
 namespace tanktread::exchange {
@@ -13,6 +14,10 @@ class WholeFile;
 
 /// Parses XML up to its appended data, if it has any. @throws FileError with the parser's words
 void parse_head(vtkXMLDataParser& parser, std::istream& stream, const std::filesystem::path& file);
+
+/// The file's numbers are appended raw bytes of this machine, with lengths of 64 bits, as we write them.
+/// @param root of its XML
+bool has_raw_numbers(vtkXMLDataElement& root);
 
 /// Checks what VTK's readers do not:
 /// - the file is one of VTK's type `type` ("UnstructuredGrid", "ImageData");

@@ -6,13 +6,13 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkXMLImageDataReader.h>
-#include <vtkXMLImageDataWriter.h>
 
-#include <cmath>
+#include <cstdint>
 
 #include "exchange/content_hash.hpp"
 #include "exchange/grid_file.hpp"
 #include "exchange/grid_pieces.hpp"
+#include "exchange/grid_writer.hpp"
 #include "exchange/vtk_arrays.hpp"
 #include "exchange/vtk_calls.hpp"
 #include "exchange/vtk_files.hpp"
@@ -21,22 +21,6 @@ namespace tanktread::exchange {
 namespace {
 
 using std::filesystem::path;
-
-void check_grid(const GridPacket& packet, const path& file) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (packet.nodes[axis] < 1) {
-      throw FileError(fmt::format("{}: cannot be written: {} nodes along {}, at least 1 is needed",
-                                  file.string(), packet.nodes[axis], "xyz"[axis]));
-    }
-    if (!std::isfinite(packet.origin[axis]) || !(packet.spacing[axis] > 0) ||
-        !std::isfinite(packet.spacing[axis])) {
-      throw FileError(
-          fmt::format("{}: cannot be written: origin {} and spacing {} along {}; they must be finite, "
-                      "the spacing above 0",
-                      file.string(), packet.origin[axis], packet.spacing[axis], "xyz"[axis]));
-    }
-  }
-}
 
 void check_frame(vtkImageData& image, const path& file) {
   const int* extent = image.GetExtent();
@@ -85,19 +69,14 @@ GridPacket read(const path& file, Convert convert, bool exact) {
 }  // namespace
 
 void write_grid(const path& file, const GridPacket& packet) {
-  check_grid(packet, file);
-  check_names(packet.field_data, file);
-  const std::vector<Array> hash = {to_array(content_hash(packet))};
-  vtkNew<vtkImageData> image;
-  const auto& [x, y, z] = packet.begin;
-  image->SetExtent(x, x + packet.nodes[0] - 1, y, y + packet.nodes[1] - 1, z, z + packet.nodes[2] - 1);
-  image->SetOrigin(packet.origin.data());
-  image->SetSpacing(packet.spacing.data());
-  add_arrays(packet.point_data, image->GetNumberOfPoints(), *image->GetPointData(), "point data", file);
-  add_arrays(hash, any_size, *image->GetFieldData(), "field data", file);
-  add_arrays(packet.field_data, any_size, *image->GetFieldData(), "field data", file);
-  vtkNew<vtkXMLImageDataWriter> writer;
-  write_with(*writer, *image, file);
+  std::vector<ArrayShape> shapes;
+  for (const auto& array : packet.point_data) shapes.push_back({array.name, array.components});
+  GridWriter writer(file, packet, shapes);
+  std::int64_t n_nodes = 1;
+  for (const int n : packet.nodes) n_nodes *= n;
+  check_arrays(packet.point_data, n_nodes, "point data", file);
+  for (const auto& array : packet.point_data) writer.add(array.values);
+  writer.finish();
 }
 
 GridPacket read_piece(const path& file, bool convert) {

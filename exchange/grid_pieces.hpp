@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -54,5 +55,30 @@ GridIndex read_grid_index(const std::filesystem::path& file);
 /// frame, arrays or field data. std::invalid_argument if the block is not in the whole
 GridPacket read_grid_block(const std::filesystem::path& file, const GridIndex& index, const GridBlock& block,
                            bool convert = false);
+
+/// The numbers of a block, read as they are asked for. Of pieces as we write them (write_grid) nothing is
+/// kept in memory; of others what they have of the block.
+class GridBlockReader {
+ public:
+  /// Reads the pieces with nodes in the block once, one at a time, and holds each against its hash and the
+  /// index. @throws as read_grid_block
+  GridBlockReader(const std::filesystem::path& file, const GridIndex& index, const GridBlock& block,
+                  bool convert = false);
+  ~GridBlockReader();
+  GridBlockReader(const GridBlockReader&) = delete;
+  GridBlockReader& operator=(const GridBlockReader&) = delete;
+
+  /// The numbers of an array of the index on the layers z = first, ..., end - 1 of the block, counted from
+  /// its own first one.
+  /// @param values as many as there are; overwritten @throws FileError if a piece cannot be read or is
+  /// another than before
+  void read(const std::string& array, int first, int end, std::span<double> values) const;
+
+ private:
+  class Piece;
+  GridBlock block_;
+  std::vector<ArrayShape> point_data_;
+  std::vector<Piece> pieces_;
+};
 
 }  // namespace tanktread::exchange

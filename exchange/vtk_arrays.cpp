@@ -51,14 +51,22 @@ bool is_wide_integer(const vtkDataArray& array) {
 
 }  // namespace
 
+void check_arrays(const std::vector<Array>& arrays, std::int64_t n_tuples, const std::string& kind,
+                  const std::filesystem::path& file) {
+  for (auto array = arrays.begin(); array != arrays.end(); ++array) {
+    check_array(*array, n_tuples, kind, file);
+    const auto same = [&](const Array& before) { return before.name == array->name; };
+    if (std::any_of(arrays.begin(), array, same)) {
+      throw FileError(fmt::format("{}: cannot be written: two {} arrays are named '{}'", file.string(), kind,
+                                  array->name));
+    }
+  }
+}
+
 void add_arrays(const std::vector<Array>& arrays, std::int64_t n_tuples, vtkFieldData& data,
                 const std::string& kind, const std::filesystem::path& file) {
+  check_arrays(arrays, n_tuples, kind, file);
   for (const auto& array : arrays) {
-    check_array(array, n_tuples, kind, file);
-    if (data.HasArray(array.name.c_str())) {
-      throw FileError(fmt::format("{}: cannot be written: two {} arrays are named '{}'", file.string(), kind,
-                                  array.name));
-    }
     vtkNew<vtkDoubleArray> wrapped;
     wrapped->SetName(array.name.c_str());
     wrapped->SetNumberOfComponents(array.components);

@@ -23,10 +23,13 @@ enum class Convert {
   with_losses,  ///< and single precision, which has fewer digits
 };
 
-/// Adds the arrays to `data` without copying them: they must outlive it. `kind` ("point data") is for
-/// messages.
+/// Arrays as VTK can write them. `kind` ("point data") is for messages.
 /// @throws FileError for a missing or repeated name, or a number of values that is not components times
 /// `n_tuples`
+void check_arrays(const std::vector<Array>& arrays, std::int64_t n_tuples, const std::string& kind,
+                  const std::filesystem::path& file);
+
+/// Adds the arrays to `data` without copying them: they must outlive it. @throws FileError as check_arrays
 void add_arrays(const std::vector<Array>& arrays, std::int64_t n_tuples, vtkFieldData& data,
                 const std::string& kind, const std::filesystem::path& file);
 

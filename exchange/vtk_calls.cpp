@@ -74,17 +74,6 @@ void check_outcome(const VtkMessages& messages, unsigned long error_code, const 
   throw FileError(fmt::format("{}: {}: {}", file.string(), what, text));
 }
 
-/// What the system said last, if it is a reason for which a file cannot be written; else "". VTK passes on
-/// that a write failed, not why.
-std::string reason_of_writing(int system_error) {
-  constexpr std::array reasons = {ENOSPC, EDQUOT, EFBIG,  EIO,    EROFS, EACCES,
-                                  EPERM,  EMFILE, ENFILE, ENOMEM, ENOENT};
-  if (std::ranges::find(reasons, system_error) == reasons.end()) return "";
-  std::string text = std::strerror(system_error);
-  if (system_error == ENOSPC || system_error == EDQUOT) text += "; make room there, or write elsewhere";
-  return text;
-}
-
 /// Keeps VTK's logger off the terminal while it lives.
 class SilentLogger {
  public:
@@ -103,6 +92,32 @@ class SilentLogger {
  private:
   vtkLogger::Verbosity terminal_;
 };
+
+void set_form(vtkXMLWriter& writer) {
+  writer.SetDataModeToAppended();
+  writer.EncodeAppendedDataOff();
+  writer.SetCompressorTypeToNone();
+  writer.SetHeaderTypeToUInt64();  // arrays beyond 4 GiB
+}
+
+/// To where the writer is told to. @param file for messages
+void write_appended(vtkXMLWriter& writer, vtkDataObject& data, const fs::path& file) {
+  VtkMessages messages;
+  messages.listen_to(&writer);
+  messages.listen_to(writer.GetExecutive());
+  writer.SetInputData(&data);
+  set_form(writer);
+  errno = 0;
+  const bool written = writer.Write() == 1;
+  const auto reason = reason_of_writing(errno);
+  const bool failed = !written || writer.GetErrorCode() != 0 || !messages.text().empty();
+  if (failed && !reason.empty())
+    throw FileError(fmt::format("{}: cannot be written: {}", file.string(), reason));
+  check_outcome(messages, writer.GetErrorCode(), file, "cannot be written");
+  if (!written) {  // VTK may also fail without a word
+    throw FileError(fmt::format("{}: cannot be written: VTK's writer failed", file.string()));
+  }
+}
 
 }  // namespace
 
@@ -134,28 +149,27 @@ std::string VtkMessages::text() const {
   return fmt::format("{}", fmt::join(state_->collector->messages, "; "));
 }
 
+// VTK passes on that a write failed, not why.
+std::string reason_of_writing(int system_error) {
+  constexpr std::array reasons = {ENOSPC, EDQUOT, EFBIG,  EIO,    EROFS, EACCES,
+                                  EPERM,  EMFILE, ENFILE, ENOMEM, ENOENT};
+  if (std::ranges::find(reasons, system_error) == reasons.end()) return "";
+  std::string text = std::strerror(system_error);
+  if (system_error == ENOSPC || system_error == EDQUOT) text += "; make room there, or write elsewhere";
+  return text;
+}
+
 void write_with(vtkXMLWriter& writer, vtkDataObject& data, const fs::path& file) {
   AtomicFile atomic(file);
-  VtkMessages messages;
-  messages.listen_to(&writer);
-  messages.listen_to(writer.GetExecutive());
   writer.SetFileName(atomic.temporary().c_str());
-  writer.SetInputData(&data);
-  writer.SetDataModeToAppended();
-  writer.EncodeAppendedDataOff();
-  writer.SetCompressorTypeToNone();
-  writer.SetHeaderTypeToUInt64();  // arrays beyond 4 GiB
-  errno = 0;
-  const bool written = writer.Write() == 1;
-  const auto reason = reason_of_writing(errno);
-  const bool failed = !written || writer.GetErrorCode() != 0 || !messages.text().empty();
-  if (failed && !reason.empty())
-    throw FileError(fmt::format("{}: cannot be written: {}", file.string(), reason));
-  check_outcome(messages, writer.GetErrorCode(), file, "cannot be written");
-  if (!written) {  // VTK may also fail without a word
-    throw FileError(fmt::format("{}: cannot be written: VTK's writer failed", file.string()));
-  }
+  write_appended(writer, data, file);
   atomic.commit();
+}
+
+std::string text_with(vtkXMLWriter& writer, vtkDataObject& data, const fs::path& file) {
+  writer.SetWriteToOutputString(1);
+  write_appended(writer, data, file);
+  return writer.GetOutputString();
 }
 
 void read_with(vtkXMLReader& reader, const fs::path& file, const std::string& type, bool exact) {

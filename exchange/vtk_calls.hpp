@@ -36,6 +36,15 @@ class VtkMessages {
 /// Writes `data` as appended raw numbers to `file`, by AtomicFile. @throws FileError with VTK's own words
 void write_with(vtkXMLWriter& writer, vtkDataObject& data, const std::filesystem::path& file);
 
+/// The text of such a file, for what is small. @param file for messages @throws FileError with VTK's own
+/// words
+std::string text_with(vtkXMLWriter& writer, vtkDataObject& data, const std::filesystem::path& file);
+
+/// What the system said last, if it is a reason for which a file cannot be written, and what can be done;
+/// else
+/// "". @param system_error errno
+std::string reason_of_writing(int system_error);
+
 /// Reads `file` after a look at it: it must be there, whole, and of VTK's type `type` ("UnstructuredGrid",
 /// ...), and with `exact` hold no number as ASCII. The result is the reader's output. @throws FileError with
 /// VTK's own words

@@ -8,6 +8,7 @@ set(TANKTREAD_PYTHON /usr/bin/python3 CACHE FILEPATH "Python that has meshio and
 tanktread_test(exchange_unit
   SOURCES
     unit/exchange_packet_test.cpp
+    unit/exchange_grid_parts_test.cpp
     unit/exchange_pieces_test.cpp
     unit/exchange_surface_pieces_test.cpp
     unit/exchange_shell_test.cpp
@@ -21,6 +22,7 @@ tanktread_test(exchange_unit
     integration/exchange_polling_test.cpp
   LIBRARIES exchange_samples)
 target_compile_definitions(exchange_unit PRIVATE TANKTREAD_PYTHON="${TANKTREAD_PYTHON}"
+  TANKTREAD_BYTES_SCRIPT="${CMAKE_CURRENT_SOURCE_DIR}/integration/exchange_grid_bytes.py"
   TANKTREAD_PIECES_SCRIPT="${CMAKE_CURRENT_SOURCE_DIR}/integration/exchange_pieces.py")
 
 tanktread_test(exchange_meshio_test SOURCES integration/exchange_meshio_test.cpp LIBRARIES exchange_samples)
