@@ -158,7 +158,7 @@ class Follower {
       }
       case Order::restore_pieces: {
         Packing packing;
-        pack(packing, restore_part(*part_, *division_, world_.rank(), message.take_text()));
+        pack(packing, restore_part(world_, *part_, *division_, message.take_text()));
         answer(packing);
         return true;
       }

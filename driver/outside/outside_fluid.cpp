@@ -96,6 +96,12 @@ void OutsideFluid::moments(std::span<double> density, std::span<double> velocity
   std::ranges::copy(arrays_[1].values, velocity.begin());
 }
 
+void OutsideFluid::moments_of_layers(fluid::Layers layers, std::span<double> density,
+                                     std::span<double> velocity) const {
+  state_of_layers("density", layers, density);
+  state_of_layers("velocity", layers, velocity);
+}
+
 void OutsideFluid::add_force(std::span<const std::int64_t> nodes, std::span<const double> force) {
   check_size("add_force()", force.size(), 3 * nodes.size());
   for (const auto node : nodes) check_node(node);
@@ -170,6 +176,29 @@ fluid::State OutsideFluid::state() const {
   for (const auto& array : arrays_) state.arrays.push_back({array.name, array.components, array.values});
   state.arrays.push_back({force_name, 3, force_});
   return state;
+}
+
+fluid::StateShape OutsideFluid::state_shape() const {
+  fluid::StateShape shape{step_, {}};
+  for (const auto& array : arrays_) shape.arrays.push_back({array.name, array.components});
+  shape.arrays.push_back({force_name, 3});
+  return shape;
+}
+
+std::span<const double> OutsideFluid::state_array(const std::string& name) const {
+  return name == force_name ? std::span(force_) : exchange::find_array(arrays_, name, program_.name()).values;
+}
+
+void OutsideFluid::state_of_layers(const std::string& name, fluid::Layers layers,
+                                   std::span<double> values) const {
+  const auto all = state_array(name);
+  const auto n_a_layer = all.size() / static_cast<std::size_t>(shape_.nz);
+  if (layers.begin < 0 || layers.end < layers.begin || layers.end > shape_.nz)
+    throw std::invalid_argument(
+        fmt::format("layers up to {} are asked for, the box has {}", layers.end, shape_.nz));
+  check_size(name.c_str(), values.size(), n_a_layer * static_cast<std::size_t>(layers.end - layers.begin));
+  std::ranges::copy(all.subspan(n_a_layer * static_cast<std::size_t>(layers.begin), values.size()),
+                    values.begin());
 }
 
 void OutsideFluid::restore(const fluid::State& state) {

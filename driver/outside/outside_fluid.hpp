@@ -29,6 +29,8 @@ class OutsideFluid final : public fluid::Fluid {
   void dissipation(std::span<double> power) const override;
   void wall_power(std::span<double> power) const override;
   void moments(std::span<double> density, std::span<double> velocity) const override;
+  void moments_of_layers(fluid::Layers layers, std::span<double> density,
+                         std::span<double> velocity) const override;
   void add_force(std::span<const std::int64_t> nodes, std::span<const double> force) override;
   void clear_force() override;
   std::span<const double> force() const override { return force_; }
@@ -39,10 +41,14 @@ class OutsideFluid final : public fluid::Fluid {
   /// @throws fluid::Breakdown; RunError that names step, program, packet and array
   double step() override;
   fluid::State state() const override;
+  fluid::StateShape state_shape() const override;
+  void state_of_layers(const std::string& array, fluid::Layers layers,
+                       std::span<double> values) const override;
   void restore(const fluid::State& state) override;
 
  private:
   exchange::GridPacket input() const;
+  std::span<const double> state_array(const std::string& name) const;
   std::vector<exchange::Array> taken(Reply<exchange::GridPacket> reply) const;
   double highest_speed() const;
   void check_node(std::int64_t node) const;

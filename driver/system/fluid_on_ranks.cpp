@@ -238,7 +238,7 @@ void FluidOnRanks::restore(const fluid::State& state) {
 
 void FluidOnRanks::restore_pieces(const std::filesystem::path& index) {
   tell_others(world_, order(Order::restore_pieces).put_text(index.string()).bytes());
-  auto first = restore_part(*own_, division_, 0, index);
+  auto first = restore_part(world_, *own_, division_, index);
   for (int rank = 1; rank < world_.size(); ++rank) {
     Unpacking message(world_.receive(rank));
     auto answer = take_restore_answer(message);

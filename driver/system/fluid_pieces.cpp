@@ -4,133 +4,80 @@
 
 #include <algorithm>
 #include <exception>
-#include <stdexcept>
+#include <optional>
 #include <utility>
 
 #include "driver/packets/packet_files.hpp"
-#include "driver/packets/saved_state.hpp"
-#include "driver/system/region_halo.hpp"
+#include "driver/system/piece_nodes.hpp"
+#include "exchange/grid_writer.hpp"
 #include "exchange/vtk_files.hpp"
 
 namespace tanktread::driver {
 namespace {
 
-using exchange::Array;
-using exchange::GridBlock;
-
-/// The nodes of a range that a rank's piece is to have: its own, and the layer beyond. Without any: 0 nodes.
-coupler::GridPart region_of(const ranks::Division& division, int rank, const Ranges3& range) {
-  const auto block = division.block(rank);
-  coupler::GridPart region{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const int first = std::max(block.begin[axis], range[axis][0]);
-    const int last = std::min(block.begin[axis] + block.n[axis] - 1, range[axis][1]);
-    if (last < first) return {};
-    region.begin[axis] = first;
-    region.nodes[axis] = last - first + 1 + (last < range[axis][1] ? 1 : 0);
-  }
-  return region;
-}
-
-/// The piece of a rank, by the numbers that the file gives to nodes: 0 is the first of the range. None if it
-/// has no cells of the range; its last nodes are its neighbour's layer then.
-std::optional<GridBlock> piece_of(const ranks::Division& division, int rank, const Ranges3& range) {
-  const auto region = region_of(division, rank, range);
-  GridBlock piece;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const bool is_sheet = range[axis][0] == range[axis][1];
-    if (region.nodes[axis] < (is_sheet ? 1 : 2)) return std::nullopt;
-    piece.begin[axis] = region.begin[axis] - range[axis][0];
-    piece.nodes[axis] = region.nodes[axis];
-  }
-  return piece;
-}
-
-/// Numbers of a rank's block, brought to the nodes of its piece.
-class PieceNodes {
- public:
-  /// Together.
-  PieceNodes(const ranks::World& world, const ranks::Division& division, const Ranges3& range)
-      : block_(division.block(world.rank())),
-        region_(region_of(division, world.rank(), range)),
-        halo_(world, division, region_) {
-    // Neighbours ask for the first layers of a block, and it asks for those of others.
-    for_all_nodes([&](std::int64_t in_region, std::optional<std::int64_t>, bool is_at_border) {
-      if (is_at_border) border_.push_back(in_region);
-    });
-    halo_.find(border_);
-  }
-
-  /// @param of_block `components` numbers a node of the block. Together.
-  std::vector<double> bring(std::span<const double> of_block, int components) const {
-    const auto n = static_cast<std::size_t>(components);
-    const auto n_nodes = static_cast<std::size_t>(region_.nodes[0]) *
-                         static_cast<std::size_t>(region_.nodes[1]) *
-                         static_cast<std::size_t>(region_.nodes[2]);
-    std::vector<double> of_piece(n * n_nodes), of_border(n * border_.size());
-    for_all_nodes([&](std::int64_t in_region, std::optional<std::int64_t> in_block, bool) {
-      if (in_block)
-        std::copy_n(&of_block[n * static_cast<std::size_t>(*in_block)], n,
-                    &of_piece[n * static_cast<std::size_t>(in_region)]);
-    });
-    for (std::size_t k = 0; k < border_.size(); ++k)
-      std::copy_n(&of_piece[n * static_cast<std::size_t>(border_[k])], n, &of_border[n * k]);
-    halo_.complete(components, of_border);
-    for (std::size_t k = 0; k < border_.size(); ++k)
-      std::copy_n(&of_border[n * k], n, &of_piece[n * static_cast<std::size_t>(border_[k])]);
-    return of_piece;
-  }
-
- private:
-  /// Calls with the number of each node in the region, that in the block (none: another rank's), and whether
-  /// it is in a first layer of the block or beyond its last.
-  void for_all_nodes(const auto& call) const {
-    std::int64_t in_region = 0;
-    for (int z = region_.begin[2]; z < region_.begin[2] + region_.nodes[2]; ++z) {
-      for (int y = region_.begin[1]; y < region_.begin[1] + region_.nodes[1]; ++y) {
-        for (int x = region_.begin[0]; x < region_.begin[0] + region_.nodes[0]; ++x, ++in_region) {
-          const ranks::Triple place = {x - block_.begin[0], y - block_.begin[1], z - block_.begin[2]};
-          const bool is_own = place[0] < block_.n[0] && place[1] < block_.n[1] && place[2] < block_.n[2];
-          const bool is_first = place[0] == 0 || place[1] == 0 || place[2] == 0;
-          std::optional<std::int64_t> in_block;
-          if (is_own) in_block = (std::int64_t{place[2]} * block_.n[1] + place[1]) * block_.n[0] + place[0];
-          call(in_region, in_block, is_first || !is_own);
-        }
-      }
-    }
-  }
-
-  ranks::Block block_;
-  coupler::GridPart region_;
-  RegionHalo halo_;
-  std::vector<std::int64_t> border_;  ///< in the region, ascending
+/// An array of a piece, of which a rank has the numbers of its block.
+struct PartArray {
+  exchange::ArrayShape shape;
+  NodeNumbers numbers;
 };
 
-std::vector<Array> flow_of(const FluidPart& part) {
-  const auto n = static_cast<std::size_t>(part.fluid.shape().size());
-  Array density{"density", 1, std::vector<double>(n)}, velocity{"velocity", 3, std::vector<double>(3 * n)};
-  part.fluid.moments(density.values, velocity.values);
-  const auto force = part.fluid.force();
-  std::vector<Array> arrays = {
-      std::move(density), std::move(velocity), {"force", 3, {force.begin(), force.end()}}};
-  if (!part.inside.empty()) arrays.push_back({"inside", 1, {part.inside.begin(), part.inside.end()}});
+/// A rank's fluid, divided or not.
+struct Part {
+  const ranks::World* world;  ///< null: not divided
+  const ranks::Division& division;
+  const fluid::Fluid& fluid;
+  double base_viscosity;  ///< of nodes that have none of their own
+  std::span<const std::int32_t> inside;
+
+  int rank() const { return world != nullptr ? world->rank() : 0; }
+  bool any(bool of_this_rank) const {
+    return world != nullptr ? world->highest(of_this_rank ? 1 : 0) > 0 : of_this_rank;
+  }
+};
+
+/// Takes numbers out of an array of all nodes.
+NodeNumbers out_of(const auto& of_all, int components, const fluid::GridShape& shape) {
+  return {components, [of_all, components, shape](fluid::Layers layers, std::span<double> values) {
+            const auto first = std::int64_t{components} * shape.nx * shape.ny * layers.begin;
+            std::ranges::copy(of_all.subspan(static_cast<std::size_t>(first), values.size()), values.begin());
+          }};
+}
+
+std::vector<PartArray> flow_of(const Part& part) {
+  const auto& fluid = part.fluid;
+  const auto density = [&fluid](fluid::Layers layers, std::span<double> values) {
+    std::vector<double> velocity(3 * values.size());
+    fluid.moments_of_layers(layers, values, velocity);
+  };
+  const auto velocity = [&fluid](fluid::Layers layers, std::span<double> values) {
+    std::vector<double> beside(values.size() / 3);
+    fluid.moments_of_layers(layers, beside, values);
+  };
+  std::vector<PartArray> arrays = {{{"density", 1}, {1, density}},
+                                   {{"velocity", 3}, {3, velocity}},
+                                   {{"force", 3}, out_of(fluid.force(), 3, fluid.shape())}};
+  if (!part.inside.empty()) arrays.push_back({{"inside", 1}, out_of(part.inside, 1, fluid.shape())});
   return arrays;
 }
 
 /// A part has a viscosity of its nodes once one of them has another than that of the settings; all pieces
 /// have it if any has.
-std::vector<Array> state_of(const FluidPart& part) {
-  std::vector<Array> arrays;
+std::vector<PartArray> state_of(const Part& part) {
+  std::vector<PartArray> arrays;
   bool has_viscosity = false;
-  auto state = part.fluid.state();
-  for (auto& array : state.arrays) {
-    has_viscosity = has_viscosity || array.name == "viscosity";
-    arrays.push_back({array.name, array.components, std::move(array.values)});
+  for (const auto& [name, components] : part.fluid.state_shape().arrays) {
+    has_viscosity = has_viscosity || name == "viscosity";
+    const auto of_layers = [&fluid = part.fluid, array = name](fluid::Layers layers,
+                                                               std::span<double> values) {
+      fluid.state_of_layers(array, layers, values);
+    };
+    arrays.push_back({{name, components}, {components, of_layers}});
   }
-  const bool any_has = part.world.highest(has_viscosity ? 1 : 0) > 0;
-  if (any_has && !has_viscosity) {
-    const auto n = static_cast<std::size_t>(part.fluid.shape().size());
-    arrays.push_back({"viscosity", 1, std::vector<double>(n, part.base_viscosity)});
+  if (part.any(has_viscosity) && !has_viscosity) {
+    const auto of_settings = [viscosity = part.base_viscosity](fluid::Layers, std::span<double> values) {
+      std::ranges::fill(values, viscosity);
+    };
+    arrays.push_back({{"viscosity", 1}, {1, of_settings}});
   }
   return arrays;
 }
@@ -143,10 +90,58 @@ std::array<double, 3> origin_of(const Ranges3& range) {
   return {range[0][0] + 0.5, range[1][0] + 0.5, range[2][0] + 0.5};
 }
 
-void write(const exchange::GridPacket& packet, const PiecesOrder& what, int rank) {
-  const auto folder = folder_of_pieces(what.index);
-  std::filesystem::create_directories(folder);
-  exchange::write_grid(folder / name_in_folder(rank), packet);
+/// The file of a rank's piece, if it has one. What goes wrong is kept: the others wait for the word of this
+/// rank.
+class PieceFile {
+ public:
+  PieceFile(const Part& part, const PiecesOrder& what, const std::vector<exchange::Array>& field_data,
+            const std::vector<exchange::ArrayShape>& point_data) {
+    const auto piece = piece_of(part.division, part.rank(), what.range);
+    if (!piece) return;
+    try_to([&] {
+      const auto folder = folder_of_pieces(what.index);
+      std::filesystem::create_directories(folder);
+      const exchange::GridPacket grid{piece->nodes, origin_of(what.range), {1, 1, 1}, piece->begin, {},
+                                      field_data};
+      writer_.emplace(folder / name_in_folder(part.rank()), grid, point_data);
+    });
+  }
+
+  void add(std::span<const double> values) {
+    if (writer_) try_to([&] { writer_->add(values); });
+  }
+  /// @return what went wrong; "": nothing
+  std::string finish() {
+    if (writer_) try_to([&] { writer_->finish(); });
+    return error_;
+  }
+
+ private:
+  template <class Do>
+  void try_to(const Do& act) {
+    try {
+      act();
+    } catch (const std::exception& error) {
+      error_ = error.what();
+      writer_.reset();
+    }
+  }
+
+  std::optional<exchange::GridWriter> writer_;
+  std::string error_;
+};
+
+PieceWritten write(const Part& part, const PiecesOrder& what) {
+  const PieceNodes nodes(part.world, part.division, what.range);
+  PieceWritten written{"", {}, packet_header(what.step)};
+  if (!what.is_state) written.field_data.push_back({"shear_time", 1, {what.shear_time}});
+  const auto arrays = what.is_state ? state_of(part) : flow_of(part);
+  for (const auto& array : arrays) written.point_data.push_back(array.shape);
+  PieceFile file(part, what, written.field_data, written.point_data);
+  for (const auto& array : arrays)
+    nodes.for_layers(array.numbers, [&](std::span<const double> values) { file.add(values); });
+  written.error = file.finish();
+  return written;
 }
 
 }  // namespace
@@ -170,28 +165,16 @@ PiecesOrder take_pieces_order(ranks::Unpacking& unpacking) {
 }
 
 PieceWritten write_piece(const FluidPart& part, const PiecesOrder& what) {
-  const int rank = part.world.rank();
-  const PieceNodes nodes(part.world, part.division, what.range);
-  exchange::GridPacket packet;
-  packet.origin = origin_of(what.range);
-  packet.field_data = packet_header(what.step);
-  if (!what.is_state) packet.field_data.push_back({"shear_time", 1, {what.shear_time}});
-  packet.point_data = what.is_state ? state_of(part) : flow_of(part);
-  PieceWritten written{"", {}, packet.field_data};
-  for (auto& array : packet.point_data) {
-    written.point_data.push_back({array.name, array.components});
-    array.values = nodes.bring(array.values, array.components);
-  }
-  const auto piece = piece_of(part.division, rank, what.range);
-  if (!piece) return written;
-  packet.begin = piece->begin;
-  packet.nodes = piece->nodes;
-  try {
-    write(packet, what, rank);
-  } catch (const std::exception& error) {  // the others wait for the word of this rank
-    written.error = error.what();
-  }
-  return written;
+  return write({&part.world, part.division, part.fluid, part.base_viscosity, part.inside}, what);
+}
+
+void write_as_one_piece(const fluid::Fluid& fluid, std::span<const std::int32_t> inside,
+                        const PiecesOrder& what) {
+  const auto shape = fluid.shape();
+  const ranks::Division division(ranks::Box{{shape.nx, shape.ny, shape.nz}}, {1, 1, 1});
+  const auto written = write({nullptr, division, fluid, 0, inside}, what);
+  if (!written.error.empty()) throw exchange::FileError(written.error);
+  write_index(division, what, written);
 }
 
 void write_index(const ranks::Division& division, const PiecesOrder& what, const PieceWritten& pieces) {
@@ -215,19 +198,6 @@ Ranges3 whole_range(const ranks::Triple& box) {
 
 std::filesystem::path folder_of_pieces(const std::filesystem::path& index) {
   return index.parent_path() / index.stem();
-}
-
-fluid::State read_state_block(const std::filesystem::path& index_file, const ranks::Triple& box,
-                              const ranks::Block& block) {
-  const auto index = exchange::read_grid_index(index_file);
-  if (index.whole != GridBlock{{0, 0, 0}, box}) {
-    const auto& n = index.whole.nodes;
-    throw std::invalid_argument(
-        fmt::format("{}: a grid of {} x {} x {} nodes, the case has flow.box = [{}, "
-                    "{}, {}]",
-                    index_file.string(), n[0], n[1], n[2], box[0], box[1], box[2]));
-  }
-  return state_of(exchange::read_grid_block(index_file, index, {block.begin, block.n}), index_file.string());
 }
 
 }  // namespace tanktread::driver

@@ -47,21 +47,23 @@ struct PieceWritten {
 };
 
 /// Writes the rank's piece, if it has any cells of the range: its nodes there, and where the range goes on
-/// beyond it one layer more, which it gets from its neighbours. Together.
+/// beyond it one layer more, which it gets from its neighbours. Beside the fluid there are some layers in
+/// memory, and the nodes at the cuts. Together.
 PieceWritten write_piece(const FluidPart& part, const PiecesOrder& what);
 
 /// Writes the index, after all ranks have written their pieces. @throws exchange::FileError
 void write_index(const ranks::Division& division, const PiecesOrder& what, const PieceWritten& pieces);
+
+/// Writes all of a fluid that is not divided as the one piece of an index. @param inside marks of the nodes;
+/// empty: none
+/// @throws exchange::FileError
+void write_as_one_piece(const fluid::Fluid& fluid, std::span<const std::int32_t> inside,
+                        const PiecesOrder& what);
 
 /// All nodes of a box.
 Ranges3 whole_range(const ranks::Triple& box);
 
 /// The folder of the pieces of an index, beside it.
 std::filesystem::path folder_of_pieces(const std::filesystem::path& index);
-
-/// Reads the state of a block of the box from pieces, however they are cut.
-/// @throws exchange::FileError; std::invalid_argument if they are of another box
-fluid::State read_state_block(const std::filesystem::path& index, const ranks::Triple& box,
-                              const ranks::Block& block);
 
 }  // namespace tanktread::driver

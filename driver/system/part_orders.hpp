@@ -2,15 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "driver/system/fluid_pieces.hpp"
 #include "driver/system/halo_by_ranks.hpp"
+#include "driver/system/state_from_pieces.hpp"
 #include "fluid/lattice_boltzmann.hpp"
 #include "ranks/packing.hpp"
 
@@ -82,35 +81,6 @@ inline StepAnswer take_step_answer(ranks::Unpacking& unpacking) {
   answer.node = unpacking.take<std::int64_t>();
   answer.message = unpacking.take_text();
   return answer;
-}
-
-/// How a part was restored from pieces.
-struct RestoreAnswer {
-  std::string error;         ///< "": well
-  bool is_of_files = false;  ///< the error is of a file; else the state does not fit
-};
-
-inline void pack(ranks::Packing& packing, const RestoreAnswer& answer) {
-  packing.put_text(answer.error).put(answer.is_of_files);
-}
-inline RestoreAnswer take_restore_answer(ranks::Unpacking& unpacking) {
-  RestoreAnswer answer;
-  answer.error = unpacking.take_text();
-  answer.is_of_files = unpacking.take<bool>();
-  return answer;
-}
-
-/// Sets a rank's part to the state in pieces.
-inline RestoreAnswer restore_part(fluid::Fluid& part, const ranks::Division& division, int rank,
-                                  const std::filesystem::path& index) {
-  try {
-    part.restore(read_state_block(index, division.box().n, division.block(rank)));
-    return {};
-  } catch (const exchange::FileError& error) {
-    return {error.what(), true};
-  } catch (const std::invalid_argument& error) {
-    return {error.what(), false};
-  }
 }
 
 /// A step of a part, whose breakdown is no reason to leave the others alone.
