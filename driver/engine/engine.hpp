@@ -20,7 +20,7 @@ class Engine {
  public:
   virtual ~Engine() = default;
 
-  /// From the start of the case. @param shapes of all its capsules
+  /// From the start of the case. @param shapes of all its capsules; none: they are made by who needs them
   /// @throws InputError if a mesh lies too near a wall for the kernel, or a program cannot be started
   virtual void begin(const MembraneShapes& shapes) = 0;
   /// From a state. @throws InputError if it does not fit the case; exchange::FileError if a piece of it

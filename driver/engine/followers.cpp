@@ -65,6 +65,10 @@ class Follower {
         return system_.reset();
       case Order::begin:
         return answer_if_wrong(system_->begin(message.take<std::int64_t>(), {}));
+      case Order::begin_from_case: {
+        auto made = make_capsules(world_, system_->the_case());
+        return answer_if_wrong(system_->begin(0, std::move(made.capsules), made.error));
+      }
       case Order::begin_from_pieces: {
         const auto step = message.take<std::int64_t>();
         auto read = read_capsules(world_, message.take_text(), system_->the_case().capsules.size());

@@ -74,10 +74,19 @@ std::optional<StepError> ManyRanks::begin_at(std::int64_t step, std::vector<Part
 }
 
 void ManyRanks::begin(const MembraneShapes& shapes) {
-  const auto error = begin_at(0, at_start(shapes));
+  const auto error = shapes.meshes.empty() ? begin_from_case() : begin_at(0, at_start(shapes));
   if (!error) return;
+  if (error->phase == StepPhase::restore) throw InputError(error->message);
   throw InputError(fmt::format("{}; move the capsule (capsule.N.position){}", error->message,
                                error->phase == StepPhase::stencils ? " or enlarge flow.box" : ""));
+}
+
+/// Each rank makes some shapes.
+std::optional<StepError> ManyRanks::begin_from_case() {
+  step_ = 0;
+  tell_others(world_, order(Order::begin_from_case).bytes());
+  auto made = make_capsules(world_, case_);
+  return first_error(own_->begin(0, std::move(made.capsules), made.error));
 }
 
 std::optional<StepError> ManyRanks::begin_from_pieces(const SavedState& state) {

@@ -41,6 +41,7 @@ class ManyRanks final : public Engine {
 
  private:
   std::optional<StepError> begin_at(std::int64_t step, std::vector<PartCapsule> capsules);
+  std::optional<StepError> begin_from_case();
   std::optional<StepError> begin_from_pieces(const SavedState& state);
   std::optional<StepError> first_error(const PartStep& own) const;
   void write_surfaces(const std::filesystem::path& file, bool is_state);

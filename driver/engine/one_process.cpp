@@ -1,6 +1,7 @@
 #include "driver/engine/one_process.hpp"
 
 #include "driver/observe/measures.hpp"
+#include "driver/system/capsule_shape.hpp"
 #include "driver/system/fluid_output.hpp"
 #include "driver/system/state_folder.hpp"
 #include "driver/system/step.hpp"
@@ -11,7 +12,8 @@ OneProcess::OneProcess(const Case& the_case, const Parameters& parameters)
     : case_(the_case), parameters_(parameters) {}
 
 void OneProcess::begin(const MembraneShapes& shapes) {
-  system_ = make_system(case_, parameters_, shapes);
+  const bool are_made = !shapes.meshes.empty();
+  system_ = make_system(case_, parameters_, are_made ? shapes : membrane_shapes(case_));
 }
 
 void OneProcess::restore(const SavedState& state) {

@@ -149,8 +149,10 @@ void SystemPart::count_capsules() {
   }
 }
 
-PartStep SystemPart::begin(std::int64_t step, std::vector<PartCapsule> capsules) {
+PartStep SystemPart::begin(std::int64_t step, std::vector<PartCapsule> capsules,
+                           const std::optional<StepError>& given_error) {
   FirstError error;
+  if (given_error) error.keep(*given_error);
   step_ = step;
   own_ = {};
   membranes_.clear();

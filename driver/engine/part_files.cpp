@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "driver/engine/capsule_orders.hpp"
+#include "driver/program/errors.hpp"
+#include "driver/system/capsule_shape.hpp"
 #include "exchange/append_surface.hpp"
 #include "exchange/vtk_files.hpp"
 
@@ -114,6 +116,21 @@ SurfacesToWrite take_surfaces_to_write(ranks::Unpacking& unpacking) {
   what.is_state = unpacking.take<bool>();
   what.most_triangles = unpacking.take<std::int64_t>();
   return what;
+}
+
+CapsulesMade make_capsules(const ranks::World& world, const Case& the_case) {
+  CapsulesMade made;
+  for (auto k = static_cast<std::size_t>(world.rank()); k < the_case.capsules.size();
+       k += static_cast<std::size_t>(world.size())) {
+    try {
+      auto shape = capsule_shape(the_case, k);
+      made.capsules.push_back({k, std::move(shape.mesh), std::move(shape.stress_free), std::nullopt});
+    } catch (const InputError& error) {
+      made.error = StepError{StepPhase::restore, k, false, error.what()};
+      break;
+    }
+  }
+  return made;
 }
 
 CapsulesRead read_capsules(const ranks::World& world, const std::filesystem::path& index_file,

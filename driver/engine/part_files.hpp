@@ -1,4 +1,4 @@
-// The membranes of a case whose capsules are on many ranks, in files. Internal to driver/engine.
+// The membranes of a case whose capsules are on many ranks: made, and in files. Internal to driver/engine.
 #pragma once
 
 #include <cstdint>
@@ -28,6 +28,15 @@ SurfacesWritten write_surfaces(const SystemPart& part, const SurfacesToWrite& wh
 
 void pack(ranks::Packing& packing, const SurfacesToWrite& what);
 SurfacesToWrite take_surfaces_to_write(ranks::Unpacking& unpacking);
+
+/// Capsules of a case at its start.
+struct CapsulesMade {
+  std::optional<StepError> error;  ///< of a mesh file that is no longer as it was
+  std::vector<PartCapsule> capsules;
+};
+
+/// Makes every so manieth capsule, so that each is made by one rank.
+CapsulesMade make_capsules(const ranks::World& world, const Case& the_case);
 
 /// Some capsules of a state in pieces.
 struct CapsulesRead {

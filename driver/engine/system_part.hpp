@@ -65,8 +65,10 @@ class SystemPart {
 
   /// Begins at time t = `step`: each capsule goes to the rank that has the middle of its nodes. Together.
   /// @param capsules that this rank knows; of all ranks together each of the case once
+  /// @param given_error why this rank does not know all that it should
   /// @return as advance(); a capsule that does not fit its state is an error of phase `restore`
-  PartStep begin(std::int64_t step, std::vector<PartCapsule> capsules);
+  PartStep begin(std::int64_t step, std::vector<PartCapsule> capsules,
+                 const std::optional<StepError>& given_error = std::nullopt);
 
   /// Gives capsules whose middle has moved to another rank to that one. Together.
   void share_out();

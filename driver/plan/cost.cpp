@@ -25,16 +25,16 @@ double n_nodes(const std::array<int, 3>& box) {
   return static_cast<double>(box[0]) * box[1] * box[2];
 }
 
-Sizes sizes_of(const Case& the_case, const std::vector<membrane::TriangleMesh>& meshes) {
+Sizes sizes_of(const Case& the_case, std::span<const MeshSize> meshes) {
   Sizes sizes{n_nodes(the_case.flow.box), n_nodes(the_case.flow.box)};
   if (the_case.output.fluid_box) {
     sizes.fluid_file_nodes = 1;
     for (const auto& range : *the_case.output.fluid_box) sizes.fluid_file_nodes *= range[1] - range[0] + 1;
   }
   for (std::size_t k = 0; k < meshes.size(); ++k) {
-    const auto n_nodes = static_cast<double>(meshes[k].points.cols());
+    const auto n_nodes = static_cast<double>(meshes[k].n_nodes);
     sizes.membrane_nodes += n_nodes;
-    sizes.triangles += static_cast<double>(meshes[k].triangles.cols());
+    sizes.triangles += static_cast<double>(meshes[k].n_triangles);
     if (has_own_stress_free_shape(the_case.capsules[k])) sizes.own_stress_free_nodes += n_nodes;
   }
   return sizes;
@@ -73,17 +73,17 @@ double membrane_memory_bytes(const Case& the_case, std::size_t capsule, double n
   return (node + history + dipole) * n_nodes;
 }
 
-double memory_needed_bytes(const Case& the_case, const std::vector<membrane::TriangleMesh>& meshes) {
+double memory_needed_bytes(const Case& the_case, std::span<const MeshSize> meshes) {
   double bytes = program_memory_bytes + fluid_memory_bytes(the_case.flow);
   // A mark, a viscosity, and that in a state.
   if (has_contrast(the_case)) bytes += (4 + 8 + 8) * n_nodes(the_case.flow.box);
   for (std::size_t k = 0; k < meshes.size(); ++k)
-    bytes += membrane_memory_bytes(the_case, k, static_cast<double>(meshes[k].points.cols()));
+    bytes += membrane_memory_bytes(the_case, k, static_cast<double>(meshes[k].n_nodes));
   return bytes;
 }
 
-Cost predict_cost(const Case& the_case, const Parameters& parameters,
-                  const std::vector<membrane::TriangleMesh>& meshes, const Probe& probe) {
+Cost predict_cost(const Case& the_case, const Parameters& parameters, std::span<const MeshSize> meshes,
+                  const Probe& probe) {
   const auto sizes = sizes_of(the_case, meshes);
   const auto last_step = last_step_of(the_case, parameters);
   const auto times = [&](double every) {

@@ -1,13 +1,14 @@
 // What a run will cost: memory, disk and time.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "driver/case/case.hpp"
 #include "driver/plan/probe.hpp"
+#include "driver/system/shape_source.hpp"
 #include "driver/units/units.hpp"
-#include "membrane/mesh.hpp"
 
 namespace tanktread::driver {
 
@@ -44,9 +45,9 @@ double membrane_memory_bytes(const Case& the_case, std::size_t capsule, double n
 
 /// Memory at the peak of a run, within some 15 % where it is over 20 MB (measured for boxes of 24^3 to 100^3
 /// and meshes of level 2 to 7).
-double memory_needed_bytes(const Case& the_case, const std::vector<membrane::TriangleMesh>& meshes);
+double memory_needed_bytes(const Case& the_case, std::span<const MeshSize> meshes);
 
-Cost predict_cost(const Case& the_case, const Parameters& parameters,
-                  const std::vector<membrane::TriangleMesh>& meshes, const Probe& probe);
+Cost predict_cost(const Case& the_case, const Parameters& parameters, std::span<const MeshSize> meshes,
+                  const Probe& probe);
 
 }  // namespace tanktread::driver

@@ -22,13 +22,10 @@ void put_patch(EchoTable& table, const Subject& subject, const std::string& name
 
 }  // namespace
 
-LoadPatches load_patches_of(const Case& the_case, const std::vector<membrane::TriangleMesh>& starts) {
-  LoadPatches patches(the_case.capsules.size());
-  for (std::size_t k = 0; k < patches.size(); ++k) {
-    const auto& capsule = the_case.capsules[k];
-    if (has_load(capsule)) patches[k] = load_patches(capsule.load, starts[k]);
-  }
-  return patches;
+std::optional<membrane::EndPatches> load_patches_of(const CapsuleCase& capsule,
+                                                    const membrane::TriangleMesh& start) {
+  if (!has_load(capsule)) return std::nullopt;
+  return load_patches(capsule.load, start);
 }
 
 void put_load(EchoTable& table, const Subject& subject, std::size_t number_of_it,

@@ -14,8 +14,9 @@ namespace tanktread::driver {
 /// The patches of each capsule's load; none without a load.
 using LoadPatches = std::vector<std::optional<membrane::EndPatches>>;
 
-/// @param starts the meshes that the capsules start as
-LoadPatches load_patches_of(const Case& the_case, const std::vector<membrane::TriangleMesh>& starts);
+/// @param start the mesh that the capsule starts as
+std::optional<membrane::EndPatches> load_patches_of(const CapsuleCase& capsule,
+                                                    const membrane::TriangleMesh& start);
 
 /// Nothing without a load. @param patches of the capsule; none: not known, and left out
 void put_load(EchoTable& table, const Subject& subject, std::size_t number_of_it,

@@ -15,7 +15,8 @@ namespace tanktread::driver {
 struct Plan {
   Case the_case;  ///< with the hashes of the mesh files that were read
   Parameters parameters;
-  MembraneShapes shapes;
+  MembraneShapes shapes;        ///< none where no process is to hold them all (make_plan())
+  std::vector<MeshSize> sizes;  ///< of the mesh of each capsule
   Cost cost;
   std::string echo;  ///< the text for the user
 };
@@ -29,7 +30,9 @@ enum class Trial {
 
 /// Works a case out. Its speed on this machine is measured by a probe: the case itself, for about a second,
 /// or a tenth of the run if that is less, and a file of each kind (try_case()).
-/// @param shapes of the capsules if they are known (a resumed run), else they are made
+/// @param shapes of the capsules if they are known (a resumed run), else they are made.
+/// On several ranks, and for a sample, shapes of more than output.whole_file_triangles triangles together are
+/// made one after the other and not held: their owners make them again.
 /// @param held_bytes memory that the caller has now and gives back before the run (a state to resume from)
 /// @throws InputError, also for a box that memory cannot hold, before it is tried
 Plan make_plan(const Case& the_case, MembraneShapes shapes = {}, double held_bytes = 0,

@@ -113,10 +113,11 @@ void measure_rows(const System& system, const Case& the_case, Probe& probe) {
 
 }  // namespace
 
-Probe try_case(const Case& the_case, const Parameters& parameters, const MembraneShapes& shapes) {
+Probe try_case(const Case& the_case, const Parameters& parameters, const MembraneShapes& shapes,
+               Sharing sharing) {
   Probe probe;
   try {
-    auto system = make_system(the_case, parameters, shapes);
+    auto system = make_system(the_case, parameters, shapes, sharing);
     measure_speed(system, last_step_of(the_case, parameters), probe);
     measure_rows(system, the_case, probe);
     measure_writing(system, the_case, probe);

@@ -5,6 +5,7 @@
 
 #include "driver/case/case.hpp"
 #include "driver/packets/membrane_shapes.hpp"
+#include "driver/system/system.hpp"
 #include "driver/units/units.hpp"
 
 namespace tanktread::driver {
@@ -24,6 +25,8 @@ struct Probe {
 /// Runs the first steps of a case, for a second or a tenth of the run, finds a row of each table that it has,
 /// and writes a membrane file and a fluid file (at most 32 MB of it) to the system's directory for temporary
 /// files, from which they are removed.
-Probe try_case(const Case& the_case, const Parameters& parameters, const MembraneShapes& shapes);
+/// @param sharing of several ranks with the others: as make_system()
+Probe try_case(const Case& the_case, const Parameters& parameters, const MembraneShapes& shapes,
+               Sharing sharing = Sharing::all_ranks);
 
 }  // namespace tanktread::driver

@@ -116,7 +116,7 @@ RankModel rank_model(const Case& the_case, const Cost& cost) {
 }
 
 RankSubject rank_subject(const Case& the_case, const FlowParameters& parameters,
-                         const std::vector<membrane::TriangleMesh>& meshes) {
+                         std::span<const MeshSize> meshes) {
   RankSubject subject{box_of_ranks(the_case), fluid_settings(the_case, parameters), 0, 0, {}};
   subject.node_bytes =
       fluid::lattice_boltzmann_force_memory_per_node + fluid::lattice_boltzmann_state_per_node;
@@ -132,7 +132,7 @@ RankSubject rank_subject(const Case& the_case, const FlowParameters& parameters,
     subject.gathered_bytes += in_pieces ? 4 : 8 + 4;  // a mark, and that in a state
   }
   for (std::size_t k = 0; k < meshes.size(); ++k) {
-    const auto nodes = static_cast<double>(meshes[k].points.cols());
+    const auto nodes = static_cast<double>(meshes[k].n_nodes);
     subject.membranes.push_back({nodes, membrane_memory_bytes(the_case, k, nodes)});
   }
   std::ranges::stable_sort(subject.membranes, std::greater(), &RankSubject::Membrane::nodes);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,6 @@
 #include "driver/plan/cost.hpp"
 #include "driver/units/units.hpp"
 #include "fluid/lattice_boltzmann.hpp"
-#include "membrane/mesh.hpp"
 #include "ranks/division.hpp"
 
 namespace tanktread::driver {
@@ -50,7 +50,7 @@ struct RankSubject {
   std::vector<Membrane> membranes;  ///< those with the most nodes first
 };
 RankSubject rank_subject(const Case& the_case, const FlowParameters& parameters,
-                         const std::vector<membrane::TriangleMesh>& meshes);
+                         std::span<const MeshSize> meshes);
 
 /// What the ranks of a division would have. Bytes are of memory, or of messages one way, a step.
 struct RankPlan {

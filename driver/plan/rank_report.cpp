@@ -99,7 +99,7 @@ std::string table_up_to(const RankPlan& last, const RankSubject& subject, const 
 }  // namespace
 
 std::string rank_report(const Plan& plan, const ranks::Division& division) {
-  const auto subject = rank_subject(plan.the_case, plan.parameters, plan.shapes.meshes);
+  const auto subject = rank_subject(plan.the_case, plan.parameters, plan.sizes);
   const auto model = rank_model(plan.the_case, plan.cost);
   const auto numbers = rank_plan(subject, division, model);
   EchoTable table(false);

@@ -8,27 +8,23 @@
 namespace tanktread::driver {
 namespace {
 
-using Meshes = std::vector<membrane::TriangleMesh>;
-
 /// The capsule with the most nodes.
-std::size_t largest_of(const Meshes& meshes) {
-  const auto found = std::ranges::max_element(
-      meshes, {}, [](const membrane::TriangleMesh& mesh) { return mesh.points.cols(); });
-  return static_cast<std::size_t>(found - meshes.begin());
+std::size_t largest_of(std::span<const MeshSize> sizes) {
+  return static_cast<std::size_t>(std::ranges::max_element(sizes, {}, &MeshSize::n_nodes) - sizes.begin());
 }
 
 }  // namespace
 
-Case sample_of(const Case& the_case, const Meshes& meshes) {
+Case sample_of(const Case& the_case, std::span<const MeshSize> sizes, const ShapeSource& shape_of) {
   constexpr int most_nodes = 96;
   constexpr double least_lengths = 3;
   Case sample = the_case;
   sample.output.fluid_box.reset();
   sample.capsules.clear();
   Eigen::Array3d length = Eigen::Array3d::Zero();
-  if (!meshes.empty()) {
-    const auto k = largest_of(meshes);
-    const auto& points = meshes[k].points;
+  if (!sizes.empty()) {
+    const auto k = largest_of(sizes);
+    const auto points = shape_of(k).mesh.points;
     length = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).array();
     sample.capsules.push_back(the_case.capsules[k]);
   }
@@ -40,14 +36,15 @@ Case sample_of(const Case& the_case, const Meshes& meshes) {
   return sample;
 }
 
-Probe try_sample(const Case& the_case, const Parameters& parameters, const Meshes& meshes) {
-  const auto sample = sample_of(the_case, meshes);
+Probe try_sample(const Case& the_case, const Parameters& parameters, std::span<const MeshSize> sizes,
+                 const ShapeSource& shape_of) {
+  const auto sample = sample_of(the_case, sizes, shape_of);
   auto of_sample = parameters;
-  if (!meshes.empty()) of_sample.capsules = {parameters.capsules[largest_of(meshes)]};
+  if (!sizes.empty()) of_sample.capsules = {parameters.capsules[largest_of(sizes)]};
   // The shear rate is that of the case, so that a step is as usual for the capsule.
   const int axis = the_case.flow.wall_axis;
   of_sample.wall_speed *= static_cast<double>(sample.flow.box[axis]) / the_case.flow.box[axis];
-  const auto tried = try_case(sample, of_sample, membrane_shapes(sample));
+  const auto tried = try_case(sample, of_sample, membrane_shapes(sample), Sharing::alone);
   Probe probe;
   probe.breakdown = tried.breakdown;
   if (tried.mlups == 0) return probe;
@@ -55,7 +52,7 @@ Probe try_sample(const Case& the_case, const Parameters& parameters, const Meshe
   probe.membrane_node_seconds = tried.membrane_node_seconds;
   double nodes = 1, membrane_nodes = 0;
   for (const int n : the_case.flow.box) nodes *= n;
-  for (const auto& mesh : meshes) membrane_nodes += static_cast<double>(mesh.points.cols());
+  for (const auto& size : sizes) membrane_nodes += static_cast<double>(size.n_nodes);
   probe.mlups =
       1e-6 * nodes / (nodes * probe.fluid_node_seconds + membrane_nodes * probe.membrane_node_seconds);
   return probe;

@@ -11,14 +11,10 @@ double reduced_volume_of(const membrane::MeshReport& report) {
 
 }  // namespace
 
-std::vector<ShapeNumbers> shape_numbers(const MembraneShapes& shapes) {
-  std::vector<ShapeNumbers> all;
-  for (std::size_t k = 0; k < shapes.meshes.size(); ++k) {
-    const auto start = membrane::inspect(shapes.meshes[k]);
-    all.push_back({start.edge_mean, start.area, reduced_volume_of(start),
-                   reduced_volume_of(membrane::inspect(shapes.reference(k)))});
-  }
-  return all;
+ShapeNumbers shape_numbers(const CapsuleShape& shape) {
+  const auto start = membrane::inspect(shape.mesh);
+  return {start.edge_mean, start.area, reduced_volume_of(start),
+          reduced_volume_of(membrane::inspect({shape.stress_free, shape.mesh.triangles}))};
 }
 
 }  // namespace tanktread::driver

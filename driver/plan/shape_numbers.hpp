@@ -1,9 +1,7 @@
 // What the echo says of the shapes of a capsule in numbers.
 #pragma once
 
-#include <vector>
-
-#include "driver/packets/membrane_shapes.hpp"
+#include "driver/system/capsule_shape.hpp"
 
 namespace tanktread::driver {
 
@@ -14,7 +12,6 @@ struct ShapeNumbers {
   double reduced_volume = 0, stress_free_reduced_volume = 0;  ///< membrane::reduced_volume()
 };
 
-/// One each a capsule.
-std::vector<ShapeNumbers> shape_numbers(const MembraneShapes& shapes);
+ShapeNumbers shape_numbers(const CapsuleShape& shape);
 
 }  // namespace tanktread::driver

@@ -212,6 +212,15 @@ double bytes_of(const fluid::State& state) {
   return static_cast<double>(n_values * sizeof(double));
 }
 
+/// Of membranes that are left in pieces nothing is said.
+Plan resumed_plan(const Case& the_case, const SavedState& state) {
+  if (state.membrane_pieces.empty()) return make_plan(the_case, state.shapes, bytes_of(state.fluid));
+  Plan plan{the_case, parameters(the_case), {}, {}, {}, {}};
+  plan.echo = fmt::format("{}: {} capsules, in pieces; tanktread plan says what follows from the case\n",
+                          the_case.file.string(), the_case.capsules.size());
+  return plan;
+}
+
 /// Whether there is anything left to do. @throws InputError for an end that cannot be reached from the
 /// checkpoint, and for a record without steps
 bool goes_on(const ResumeOptions& options, std::int64_t step, std::int64_t last_step,
@@ -291,7 +300,7 @@ int run_resumed(const ResumeOptions& options) {
     return 0;
   }
   check_packets(options.packets, directory, start.point.step, last_step);
-  const auto plan = make_plan(the_case, start.state.shapes, bytes_of(start.state.fluid));
+  const auto plan = resumed_plan(the_case, start.state);
   fmt::print("{}{}resuming from {}\n", plan.echo, of_ranks, start.folder.string());
   if (!start.state.the_case) {
     fmt::print(

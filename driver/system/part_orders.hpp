@@ -37,6 +37,7 @@ enum class Order {
   give_up_system,    ///<
   // After make_system:
   begin,              ///< step; a message with the error, if not all is well
+  begin_from_case,    ///< ; as begin
   begin_from_pieces,  ///< step, the index; what was wrong with the pieces, if anything on any rank; as begin
   share_out,          ///<
   advance,            ///< ; a message with the error, if not all is well

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <utility>
 
 namespace tanktread::driver {
 namespace {
@@ -66,18 +66,33 @@ void refuse(const Case& the_case, const std::vector<std::string>& problems) {
 
 Placement::Placement(const Case& the_case, const std::vector<membrane::TriangleMesh>& meshes)
     : the_case_(the_case) {
-  for (const auto& mesh : meshes) surfaces_.emplace_back(mesh);
+  for (const auto& mesh : meshes) {
+    auto surface = std::make_shared<const membrane::PlacedSurface>(mesh);
+    boxes_.push_back(surface->box());
+    surfaces_.emplace(surfaces_.size(), std::move(surface));
+  }
+}
+
+Placement::Placement(const Case& the_case, std::vector<Eigen::AlignedBox3d> boxes, MeshOf mesh_of)
+    : the_case_(the_case), boxes_(std::move(boxes)), mesh_of_(std::move(mesh_of)) {}
+
+Placement::Surface Placement::surface(std::size_t capsule) const {
+  constexpr std::size_t most_held = 64;
+  if (const auto found = surfaces_.find(capsule); found != surfaces_.end()) return found->second;
+  if (surfaces_.size() >= most_held) surfaces_.clear();
+  return surfaces_[capsule] = std::make_shared<const membrane::PlacedSurface>(mesh_of_(capsule));
 }
 
 Extent Placement::extent(std::size_t capsule, int axis) const {
-  const auto& box = surfaces_[capsule].box();
+  const auto& box = boxes_[capsule];
   const double at = the_case_.capsules[capsule].position[axis];
   return {at - box.min()[axis], box.max()[axis] - at};
 }
 
 std::optional<Nearest> Placement::nearest_at(std::size_t first, std::size_t second,
                                              const Eigen::Vector3i& faces, double within) const {
-  const auto &one = surfaces_[first], &other = surfaces_[second];
+  const auto one_held = surface(first), other_held = surface(second);
+  const auto &one = *one_held, &other = *other_held;
   const auto& box = the_case_.flow.box;
   const Eigen::Vector3d shift(faces[0] * box[0], faces[1] * box[1], faces[2] * box[2]);
   // What lies inside is no neighbour, however far it is from the surface around it.
@@ -92,7 +107,7 @@ std::optional<Nearest> Placement::nearest_at(std::size_t first, std::size_t seco
 std::optional<Nearest> Placement::nearest(std::size_t first, std::size_t second, double within) const {
   std::array<Periods, 3> periods;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto &one = surfaces_[first].box(), &other = surfaces_[second].box();
+    const auto &one = boxes_[first], &other = boxes_[second];
     if (has_walls(the_case_, axis)) continue;
     periods[axis] = periods_within(within, one.min()[axis], one.max()[axis], other.min()[axis],
                                    other.max()[axis], the_case_.flow.box[axis]);
@@ -139,12 +154,15 @@ std::vector<OwnImage> Placement::images(std::size_t capsule, double within) cons
 }
 
 void check_placement(const Case& the_case, const std::vector<membrane::TriangleMesh>& meshes) {
-  const Placement placement(the_case, meshes);
+  check_placement(the_case, Placement(the_case, meshes));
+}
+
+void check_placement(const Case& the_case, const Placement& placement) {
   std::vector<std::string> problems;
   const auto note = [&](std::size_t number, const std::optional<Objection>& objection) {
     if (objection) problems.push_back(problem_text(the_case, number, *objection));
   };
-  for (std::size_t k = 0; k < meshes.size(); ++k) {
+  for (std::size_t k = 0; k < placement.size(); ++k) {
     for (int axis = 0; axis < 3 && !is_sphere(the_case.capsules[k]); ++axis)
       note(k, objection_along(the_case, k, axis, placement.extent(k, axis)));
     for (std::size_t other = 0; other < k; ++other) note(k, overlap(the_case, placement, other, k));

@@ -32,12 +32,13 @@ std::unique_ptr<FluidOnRanks> make_fluid_on_ranks(const Case& the_case, const Fl
   return std::make_unique<FluidOnRanks>(*other_ranks(), division, fluid_settings(the_case, parameters));
 }
 
-System make_system(const Case& the_case, const Parameters& parameters, const MembraneShapes& shapes) {
+System make_system(const Case& the_case, const Parameters& parameters, const MembraneShapes& shapes,
+                   Sharing sharing) {
   System system;
   system.shear_rate = parameters.shear_rate;
   system.threads = the_case.run.threads > 0 ? the_case.run.threads : omp_get_max_threads();
   // Of one rank whatever run.ranks says: plan may be asked here.
-  if (other_ranks()) {
+  if (other_ranks() && sharing == Sharing::all_ranks) {
     system.fluid = make_fluid_on_ranks(the_case, parameters);
   } else {
     system.fluid = make_fluid(the_case, parameters);

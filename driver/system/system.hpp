@@ -70,8 +70,12 @@ struct System {
 /// @throws InputError if they cannot share it
 std::unique_ptr<FluidOnRanks> make_fluid_on_ranks(const Case& the_case, const FlowParameters& parameters);
 
+/// Who has the fluid of a system of the first of several ranks.
+enum class Sharing { all_ranks, alone };
+
 /// Builds the components of a case at its start. @param shapes of its capsules
 /// @throws InputError if a mesh lies too near a wall for the kernel
-System make_system(const Case& the_case, const Parameters& parameters, const MembraneShapes& shapes);
+System make_system(const Case& the_case, const Parameters& parameters, const MembraneShapes& shapes,
+                   Sharing sharing = Sharing::all_ranks);
 
 }  // namespace tanktread::driver

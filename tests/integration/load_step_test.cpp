@@ -117,12 +117,13 @@ TEST(Loads, AreInTheEcho) {
   const auto the_case = stretched();
   const auto p = parameters(the_case);
   const auto meshes = membrane_shapes(the_case).meshes;
-  const auto text = echo(the_case, p, {}, {}, {{.mean_edge = 1.0}}, load_patches_of(the_case, meshes));
+  const auto text =
+      echo(the_case, p, {}, {}, {{.mean_edge = 1.0}}, {load_patches_of(the_case.capsules[0], meshes[0])});
   for (const char* row : {"load F/(G a)", "load F ", "load along", "load until", "step 8", "patch ahead",
                           "patch behind", "of the area", "load moment"})
     EXPECT_THAT(text, HasSubstr(row));
   const auto none = stretched({"capsule.0.load.force=0"});
-  EXPECT_THAT(echo(none, p, {}, {}, {{.mean_edge = 1.0}}, load_patches_of(none, meshes)),
+  EXPECT_THAT(echo(none, p, {}, {}, {{.mean_edge = 1.0}}, {load_patches_of(none.capsules[0], meshes[0])}),
               Not(HasSubstr("load ")));
 }
 

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 
 Cost cost_of(const std::vector<std::string>& assignments, const Probe& probe = {}) {
   const auto the_case = parse(least_case, assignments);
-  return predict_cost(the_case, parameters(the_case), membrane_shapes(the_case).meshes, probe);
+  return predict_cost(the_case, parameters(the_case), sizes_of(membrane_shapes(the_case).meshes), probe);
 }
 
 const FilesCost& files(const Cost& cost, const std::string& name) {

@@ -25,7 +25,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 RankSubject subject_of(const Case& the_case) {
-  return rank_subject(the_case, parameters(the_case), membrane_shapes(the_case).meshes);
+  return rank_subject(the_case, parameters(the_case), sizes_of(membrane_shapes(the_case).meshes));
 }
 
 /// Seconds a node of fluid and membrane, a message, bytes a second: powers of two, so that sums are exact.
@@ -279,13 +279,13 @@ TEST(RankPlan, WarnsOfWhatDoesNotPay) {
 // The capsule of more nodes, in the middle of a smaller box.
 TEST(RankPlan, TriesASampleOfALargeBox) {
   const auto the_case = parse(full_case, {"flow.box=[400, 50, 400]"});
-  const auto shapes = membrane_shapes(the_case);
-  const auto sample = sample_of(the_case, shapes.meshes);
+  const auto sizes = sizes_of(membrane_shapes(the_case).meshes);
+  const auto sample = sample_of(the_case, sizes, made_shapes(the_case));
   EXPECT_EQ(sample.flow.box, (std::array<int, 3>{96, 50, 96}));
   ASSERT_EQ(sample.capsules.size(), 1u);
   EXPECT_EQ(sample.capsules[0].radius, 5.1);
   EXPECT_EQ(sample.capsules[0].position, (std::array<double, 3>{48, 25, 48}));
-  const auto probe = try_sample(the_case, parameters(the_case), shapes.meshes);
+  const auto probe = try_sample(the_case, parameters(the_case), sizes, made_shapes(the_case));
   EXPECT_EQ(probe.breakdown, "");
   EXPECT_GT(probe.fluid_node_seconds, 0);
   EXPECT_GT(probe.membrane_node_seconds, 0);
