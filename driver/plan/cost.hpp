@@ -43,6 +43,9 @@ inline constexpr double program_memory_bytes = 20e6;
 /// their history.
 double membrane_memory_bytes(const Case& the_case, std::size_t capsule, double n_nodes);
 
+/// In a state, of a triangle with its half of a node: what a file of membranes has, normals and histories.
+inline constexpr double triangle_state_bytes = 370;
+
 /// Memory at the peak of a run, within some 15 % where it is over 20 MB (measured for boxes of 24^3 to 100^3
 /// and meshes of level 2 to 7).
 double memory_needed_bytes(const Case& the_case, std::span<const MeshSize> meshes);

@@ -128,13 +128,18 @@ RankSubject rank_subject(const Case& the_case, const FlowParameters& parameters,
     subject.gathered_bytes = fluid::lattice_boltzmann_state_per_node;
   }
   if (has_contrast(the_case)) {
-    subject.node_bytes += 8 + 8;                      // a viscosity, and that in a state
-    subject.gathered_bytes += in_pieces ? 4 : 8 + 4;  // a mark, and that in a state
+    subject.node_bytes += 8 + 8 + 4;                  // a viscosity, that in a state, a mark
+    subject.gathered_bytes += in_pieces ? 0 : 8 + 4;  // the latter two
   }
+  double n_triangles = 0;
   for (std::size_t k = 0; k < meshes.size(); ++k) {
     const auto nodes = static_cast<double>(meshes[k].n_nodes);
     subject.membranes.push_back({nodes, membrane_memory_bytes(the_case, k, nodes)});
+    n_triangles += static_cast<double>(meshes[k].n_triangles);
   }
+  // With what it is put together from.
+  subject.surface_bytes =
+      2 * triangle_state_bytes * std::min<double>(n_triangles, the_case.output.whole_file_triangles);
   std::ranges::stable_sort(subject.membranes, std::greater(), &RankSubject::Membrane::nodes);
   return subject;
 }
@@ -156,8 +161,8 @@ RankPlan rank_plan(const RankSubject& subject, const ranks::Division& division, 
   for (const int rank : kinds_of_parts(division)) add_part(plan, subject, division, rank, model);
   plan.membrane_memory_bytes = largest_share(subject, n_ranks).bytes;
   if (n_ranks > 1) {
-    plan.first_rank_bytes = subject.gathered_bytes * static_cast<double>(nodes_in(subject.box.n)) +
-                            largest_share(subject, 1).bytes;
+    plan.first_rank_bytes =
+        subject.gathered_bytes * static_cast<double>(nodes_in(subject.box.n)) + subject.surface_bytes;
   }
   plan.membrane_seconds = membrane_seconds(subject, n_ranks, model);
   plan.efficiency = one_rank_seconds(subject, model) / (n_ranks * plan.step_seconds());

@@ -42,8 +42,10 @@ RankModel rank_model(const Case& the_case, const Cost& cost);
 struct RankSubject {
   ranks::Box box;
   fluid::LatticeBoltzmannSettings fluid;
-  double node_bytes = 0;      ///< of memory a node, beside populations: force, viscosity, a state
-  double gathered_bytes = 0;  ///< a node of the box, on the first rank: marks, a state if files are whole
+  double node_bytes = 0;  ///< of memory a node, beside populations: force, viscosity, a state
+  double gathered_bytes =
+      0;                     ///< a node of the box, on the first rank: a state, and marks, if files are whole
+  double surface_bytes = 0;  ///< of the largest file of membranes, while it is put together
   struct Membrane {
     double nodes = 0, bytes = 0;  ///< bytes of memory
   };
@@ -63,7 +65,7 @@ struct RankPlan {
   std::int64_t message_bytes = 0;                           ///< of the part that sends most, all together
   double fluid_memory_bytes = 0;     ///< of a part: populations, halo, messages, force, state; of the largest
   double membrane_memory_bytes = 0;  ///< of the rank with most membrane nodes
-  double first_rank_bytes = 0;       ///< more on the first rank: what it gathers of the box, all membranes
+  double first_rank_bytes = 0;       ///< more on the first rank: what it gathers for files
   double fluid_seconds = 0, message_seconds = 0;  ///< of a step, of the slowest part
   double membrane_seconds = 0;                    ///< likewise of the rank with most membrane nodes
   double efficiency = 0;                          ///< 0: not known, as all seconds

@@ -72,8 +72,7 @@ TEST(RankPlan, OfACubeIsInClosedForm) {
   EXPECT_GT(populations, 19 * 8 * 18 * 18 * 18);
   EXPECT_EQ(plan.fluid_memory_bytes, static_cast<double>(populations + 2 * plan.message_bytes) + 4096 * 200);
   EXPECT_EQ(plan.membrane_memory_bytes, 642 * 1500);
-  EXPECT_EQ(plan.first_rank_bytes,
-            32768 * 176 + 642 * 1500);  // the box for files; beside its own, all membranes
+  EXPECT_EQ(plan.first_rank_bytes, 32768 * 176 + 2 * 370 * 1280);  // for files: the box; membranes, twice
 }
 
 /// Tells what it was connected with.
@@ -194,9 +193,9 @@ TEST(RankPlan, OfMoreRanksTakesLessTimeAndMemoryButIsLessEfficient) {
   }
 }
 
-// Capsules of 2562 and 642 nodes: two ranks have one each, and the larger counts. The first one has all of
-// them beside its own, and a state of the box, but for one in pieces, of which each rank has its largest
-// array twice.
+// Capsules of 2562 and 642 nodes: two ranks have one each, and the larger counts. The first one gathers
+// files: a state of the box, but for one in pieces, of which each rank has its largest array twice; and
+// membranes, as many triangles as a file may have.
 TEST(RankPlan, SharesCapsules) {
   const auto subject = subject_of(parse(full_case));
   ASSERT_EQ(subject.membranes.size(), 2u);
@@ -204,12 +203,13 @@ TEST(RankPlan, SharesCapsules) {
   const auto plan = rank_plan(subject, division, some_model());
   EXPECT_EQ(plan.membrane_seconds, 2562 * 0x1p-14);
   EXPECT_EQ(plan.membrane_memory_bytes, subject.membranes[0].bytes);
-  const double membranes = subject.membranes[0].bytes + subject.membranes[1].bytes;
-  EXPECT_EQ(plan.first_rank_bytes, 40 * 50 * 60 * 176.0 + membranes);
+  EXPECT_EQ(plan.first_rank_bytes, 40 * 50 * 60 * 176.0 + 2 * 370.0 * (5120 + 1280));
   auto cut = parse(full_case);
   cut.output.whole_file_nodes = 1;
   const auto in_pieces = rank_plan(subject_of(cut), division, some_model());
-  EXPECT_EQ(in_pieces.first_rank_bytes, membranes);
+  EXPECT_EQ(in_pieces.first_rank_bytes, 2 * 370.0 * (5120 + 1280));
+  cut.output.whole_file_triangles = 1300;
+  EXPECT_EQ(rank_plan(subject_of(cut), division, some_model()).first_rank_bytes, 2 * 370.0 * 1300);
   EXPECT_EQ(in_pieces.fluid_memory_bytes - plan.fluid_memory_bytes, 20 * 50 * 60 * 152.0);
   EXPECT_EQ(capsules_of_a_rank(1000, 999), 2);
   EXPECT_EQ(capsules_of_a_rank(1000, 100'000), 1);
