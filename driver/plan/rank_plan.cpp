@@ -117,7 +117,7 @@ RankModel rank_model(const Case& the_case, const Cost& cost) {
 
 RankSubject rank_subject(const Case& the_case, const FlowParameters& parameters,
                          std::span<const MeshSize> meshes) {
-  RankSubject subject{box_of_ranks(the_case), fluid_settings(the_case, parameters), 0, 0, {}};
+  RankSubject subject{box_of_ranks(the_case), fluid_settings(the_case, parameters), 0, 0, 0, {}};
   subject.node_bytes =
       fluid::lattice_boltzmann_force_memory_per_node + fluid::lattice_boltzmann_state_per_node;
   const bool in_pieces = nodes_in(subject.box.n) > the_case.output.whole_file_nodes;

@@ -335,6 +335,20 @@ class Ended(OnRanks):
         (last / "membrane/1.vtu").unlink()
         self.run_well("run", "--resume", "out", "--from-step", "18", ranks=2)
 
+    def test_a_piece_that_one_rank_cannot_write_ends_all(self):
+        """The files of the second rank have no room for more than 4 kB, those of the others have."""
+        (self.folder / "case.toml").write_text(CASE + SECOND)
+        shell = 'if [ "${OMPI_COMM_WORLD_RANK:-$PMI_RANK}" = 1 ]; then trap "" XFSZ; ulimit -f 8; fi; exec "$@"'
+        for settings, piece in ((PIECES[:2], "fluid_0000000000/1.vti"), (PIECES[2:], "membrane_0000000000/1.vtu")):
+            command = [self.mpirun, "-n", "3", "sh", "-c", shell, "sh", self.program, "run", "case.toml", "--output", "out", "--force", *settings]
+            done = subprocess.run(command, cwd=self.folder, env=ENVIRONMENT, capture_output=True, text=True, timeout=120)
+            with self.subTest(piece):
+                self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
+                self.assertEqual(done.stderr.count("tanktread: error:"), 1, done.stderr)
+                self.assertIn(piece, done.stderr)
+                self.assertIn("File too large", done.stderr)
+                self.assertEqual([path for path in (self.folder / "out").rglob("*") if path.suffix in (".pvti", ".pvtu")], [])
+
     def test_a_signal_to_the_first_rank_ends_the_run_with_a_checkpoint(self):
         child = self.started(2)
         os.kill(self.ranks_of(child)[0], signal.SIGTERM)

@@ -2,8 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <limits>
+#include <stdexcept>
 
+#include "exchange/append_surface.hpp"
 #include "tests/unit/exchange_samples.hpp"
 
 namespace tanktread::exchange::testing {
@@ -210,6 +214,33 @@ TEST(Grid, RefusesToWriteWhatIsNotAGrid) {
   EXPECT_THAT(error([](GridPacket& p) { p.origin[0] = std::numeric_limits<double>::quiet_NaN(); }),
               HasSubstr("origin nan"));
   EXPECT_THAT(error([](GridPacket& p) { p.nodes[0] = 5; }), HasSubstr("expected 30 tuples of 19 components"));
+}
+
+TEST(Packet, IsAppendedWithItsData) {
+  auto whole = sample_surface();
+  const auto one = sample_surface();
+  append_surface(whole, one);
+  const auto n = one.points.size();
+  ASSERT_EQ(whole.points.size(), 2 * n);
+  EXPECT_TRUE(std::equal(one.points.begin(), one.points.end(),
+                         whole.points.begin() + static_cast<std::ptrdiff_t>(n)));
+  ASSERT_EQ(whole.triangles.size(), 2 * one.triangles.size());
+  for (std::size_t k = 0; k < one.triangles.size(); ++k)
+    EXPECT_EQ(whole.triangles[one.triangles.size() + k], one.triangles[k] + static_cast<std::int64_t>(n / 3));
+  for (std::size_t k = 0; k < one.cell_data.size(); ++k)
+    EXPECT_EQ(whole.cell_data[k].values.size(), 2 * one.cell_data[k].values.size());
+  EXPECT_EQ(whole.field_data.size(), one.field_data.size());
+}
+
+TEST(Packet, IsNotAppendedWithoutAnArrayOfTheFirst) {
+  auto whole = sample_surface();
+  auto lacking = sample_surface();
+  lacking.cell_data.pop_back();
+  EXPECT_THROW(append_surface(whole, lacking), std::invalid_argument);
+  auto other = sample_surface();
+  other.cell_data.back().components += 1;
+  whole = sample_surface();
+  EXPECT_THROW(append_surface(whole, other), std::invalid_argument);
 }
 
 }  // namespace

@@ -57,16 +57,35 @@ struct Files {
       meshes.push_back(mesh);
     }
   }
+  /// That of all meshes, which one that asks for each of them again gives too.
   std::string refusal() const {
+    const auto text = refusal_of(Placement(the_case, meshes));
+    EXPECT_EQ(refusal_of(asking()), text);
+    return text;
+  }
+  std::vector<std::string> warnings() const {
+    const auto lines = warnings_of(Placement(the_case, meshes));
+    EXPECT_EQ(warnings_of(asking()), lines);
+    return lines;
+  }
+
+ private:
+  Placement asking() const {
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (const auto& mesh : meshes)
+      boxes.emplace_back(mesh.points.rowwise().minCoeff(), mesh.points.rowwise().maxCoeff());
+    return Placement(the_case, boxes, [this](std::size_t k) { return meshes[k]; });
+  }
+  std::string refusal_of(const Placement& placement) const {
     try {
-      check_placement(the_case, meshes);
+      check_placement(the_case, placement);
     } catch (const InputError& error) {
       return error.what();
     }
     return "";
   }
-  std::vector<std::string> warnings() const {
-    return tanktread::driver::warnings(the_case, parameters(the_case), {}, Placement(the_case, meshes));
+  std::vector<std::string> warnings_of(const Placement& placement) const {
+    return tanktread::driver::warnings(the_case, parameters(the_case), {}, placement);
   }
 };
 
