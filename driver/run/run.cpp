@@ -2,11 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <memory>
-
-#include "driver/case/case_programs.hpp"
-#include "driver/engine/many_ranks.hpp"
-#include "driver/engine/one_process.hpp"
 #include "driver/program/file_system_error.hpp"
 #include "driver/program/output_directory.hpp"
 #include "driver/program/signals.hpp"
@@ -16,7 +11,6 @@
 #include "driver/run/closing.hpp"
 #include "driver/run/output.hpp"
 #include "driver/run/progress.hpp"
-#include "driver/stages/file_passage.hpp"
 #include "driver/system/run_ranks.hpp"
 #include "driver/units/laws.hpp"
 #include "driver/units/parameters_file.hpp"
@@ -25,10 +19,6 @@
 
 namespace tanktread::driver {
 namespace {
-
-void write_echo(const Plan& plan, const std::filesystem::path& directory) {
-  exchange::write_text(directory / "echo.toml", to_toml(plan.the_case));
-}
 
 void write_parameters(const Plan& plan, const std::filesystem::path& directory, const std::string& commits) {
   exchange::write_text(directory / "parameters.toml", parameters_toml(plan.parameters, commits));
@@ -41,28 +31,6 @@ void write_parameters(const Plan& plan, const std::filesystem::path& directory, 
   const auto folders = checkpoint_folders(directory);
   throw RunError(fmt::format("{}\nlast good state: {}", message,
                              folders.empty() ? "none was written" : folders.back().string()));
-}
-
-/// The steps to record, checked against those of the run. @throws InputError
-RecordedSteps recorded_steps(const PacketOptions& packets, std::int64_t first_step, std::int64_t last_step) {
-  const RecordedSteps steps{packets.from.value_or(first_step), packets.to.value_or(last_step)};
-  if (steps.from >= first_step && steps.from < steps.to && steps.to <= last_step) return steps;
-  throw InputError(
-      fmt::format("--from {} --to {}: the run goes from step {} to step {}; give steps within that, the "
-                  "first below the last",
-                  steps.from, steps.to, first_step, last_step));
-}
-
-/// Refuses what cannot be recorded, before anything is written. @throws InputError
-void check_packets(const PacketOptions& packets, const std::filesystem::path& output, std::int64_t first_step,
-                   std::int64_t last_step) {
-  if (packets.record.empty()) return;
-  recorded_steps(packets, first_step, last_step);
-  require_new_directory("--record", packets.record);
-  if (!is_place_of_run(output, packets.record)) return;
-  throw InputError(
-      fmt::format("--record {}: is a place of the run's own output in {}; give another directory",
-                  packets.record.string(), output.string()));
 }
 
 void check_stays(const std::string& file, const std::string& key, const std::filesystem::path& output) {
@@ -80,47 +48,6 @@ void check_meshes_stay(const Case& the_case, const std::filesystem::path& output
     check_stays(capsule.mesh.file, fmt::format("capsule.{}.mesh.file", k), output);
     check_stays(capsule.stress_free.file, fmt::format("capsule.{}.stress_free.file", k), output);
   }
-}
-
-/// Before an earlier run is removed: the record may not be possible. @throws InputError
-void make_record_directory(const PacketOptions& packets) {
-  if (packets.record.empty()) return;
-  std::error_code error;
-  std::filesystem::create_directories(packets.record, error);
-  if (error) {
-    throw InputError(fmt::format("--record {}: cannot be made ({}); give another directory",
-                                 packets.record.string(), error.message()));
-  }
-}
-
-/// Whether packets are written, or go to programs and back: they all pass through one process then.
-bool passes_one_process(const PacketOptions& packets, const Case& the_case) {
-  return other_ranks() == nullptr || packets.through_files || !packets.record.empty() ||
-         has_program(the_case);
-}
-
-/// What makes the steps of a run.
-struct RunEngine {
-  std::unique_ptr<Engine> engine;
-  OneProcess* one_process = nullptr;  ///< the same, if it is one
-};
-
-RunEngine make_engine(const PacketOptions& packets, const Case& the_case, const Parameters& parameters) {
-  if (!passes_one_process(packets, the_case))
-    return {std::make_unique<ManyRanks>(the_case, parameters), nullptr};
-  auto one_process = std::make_unique<OneProcess>(the_case, parameters);
-  auto* pointer = one_process.get();
-  return {std::move(one_process), pointer};
-}
-
-std::unique_ptr<Passage> make_passage(const PacketOptions& packets, const Plan& plan, std::int64_t first_step,
-                                      const std::filesystem::path& directory) {
-  if (packets.through_files) return std::make_unique<FilePassage>(directory / "packets");
-  if (packets.record.empty()) return std::make_unique<Passage>();
-  const auto last_step = last_step_of(plan.the_case, plan.parameters);
-  write_echo(plan, packets.record);
-  return std::make_unique<Recorder>(packets.record, recorded_steps(packets, first_step, last_step),
-                                    plan.the_case, any_implicit(plan.the_case, plan.parameters));
 }
 
 void write_checkpoint(Engine& engine, const Output& output, const std::filesystem::path& directory) {
@@ -248,7 +175,7 @@ void begin_again(const ResumeOptions& options, const Plan& plan, const ResumeSta
   make_record_directory(options.packets);
   make_last(directory, start.folder);
   remove_temporary_files(directory);
-  if (options.shear_time || options.threads) write_echo(plan, directory);
+  if (options.shear_time || options.threads) write_echo(plan.the_case, directory);
   write_parameters(plan, directory, commits_with(directory / "parameters.toml", commit));
   output.resume(start.point);
 }
@@ -268,7 +195,7 @@ int run_new(const Plan& plan, const RunOptions& options) {
   make_record_directory(options.packets);
   if (options.force) remove_earlier_run(options.output);
   remove_temporary_files(options.output);
-  write_echo(plan, options.output);
+  write_echo(plan.the_case, options.output);
   write_parameters(plan, options.output, commit);
   Output output(plan.the_case, plan.parameters, options.output);
   output.begin();

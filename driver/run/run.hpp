@@ -7,16 +7,9 @@
 
 #include "driver/plan/plan.hpp"
 #include "driver/run/resume.hpp"
+#include "driver/run/run_packets.hpp"
 
 namespace tanktread::driver {
-
-/// How the packets of a run's steps go from phase to phase.
-struct PacketOptions {
-  std::filesystem::path record;      ///< a directory to record them in; "": they are not
-  std::optional<std::int64_t> from;  ///< the first time step to record
-  std::optional<std::int64_t> to;    ///< the end of the record; none: of the run
-  bool through_files = false;        ///< every packet by way of a file in OUTPUT/packets
-};
 
 /// What `tanktread run` was told.
 struct RunOptions {
