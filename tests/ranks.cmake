@@ -31,6 +31,7 @@ if(TARGET tanktread_fluid)
 endif()
 if(TARGET tanktread_driver AND NOT TANKTREAD_MISSING_COMPONENTS)
   tanktread_rank_test(ranks_capsules RANKS 1 2 4 6 SOURCES ranks/capsules_test.cpp LIBRARIES tanktread_driver)
+  tanktread_rank_test(ranks_pieces RANKS 1 2 4 6 SOURCES ranks/pieces_test.cpp LIBRARIES tanktread_driver)
 endif()
 if(TANKTREAD_MPI AND TARGET tanktread AND NOT TANKTREAD_MISSING_COMPONENTS)
   add_test(NAME python.ranks COMMAND ${TANKTREAD_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/integration/ranks_test.py
