@@ -1,5 +1,4 @@
 #include "exchange/surface_pieces.hpp"
-#include "exchange/append_surface.hpp"
 
 #include <fmt/format.h>
 

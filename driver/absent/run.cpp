@@ -1,6 +1,6 @@
 // A program without one of the components that a run puts together.
+#include "driver/engine/followers.hpp"
 #include "driver/program/missing_command.hpp"
-#include "driver/system/followers.hpp"
 #include "driver/system/run_ranks.hpp"
 
 namespace tanktread::driver {

@@ -150,7 +150,7 @@ std::vector<Key> coupler_run_output_keys() {
           "output.whole_file_triangles", "triangles",
           "of all membranes, up to which they are one file a time; above, pieces of at most so many")
           .from(1)
-          .to(std::numeric_limits<int>::max())
+          .to(1 << 22)  // of more, what an owner sends for a file is over the 2 GiB of a message
           .free_on_resume(),
   };
 }

@@ -9,8 +9,7 @@ namespace tanktread::driver {
 
 /// Compares two files or two directories. By the ending of their names files are
 /// - .vtu, .vti: compared array by array, bit for bit (packet_difference.hpp); so are .pvtu and .pvti, as
-/// what
-///   their pieces are together, of which one may be whole and the other in pieces;
+///   what their pieces are together, of which one may be whole and the other in pieces;
 /// - .pvd: the names and times of the series, then the files that it names;
 /// - .csv: column by column (table_difference.hpp);
 /// - any other: byte by byte.

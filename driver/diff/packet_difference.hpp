@@ -8,8 +8,7 @@
 namespace tanktread::driver {
 
 /// Adds all arrays of two .vtu or two .vti files, or of their like in pieces (.pvtu, .pvti), to the report.
-/// Files of other programs are read too: numbers
-/// of other types are widened to double, text is left out.
+/// Files of other programs are read too: numbers of other types are widened to double, text is left out.
 /// @throws exchange::FileError if one cannot be read
 void compare_surfaces(const std::filesystem::path& a, const std::filesystem::path& b,
                       DifferenceReport& report);

@@ -14,9 +14,8 @@ namespace tanktread::driver {
 void compare_series(const std::vector<exchange::SeriesEntry>& a, const std::vector<exchange::SeriesEntry>& b,
                     DifferenceReport& report);
 
-/// What a file is called where it is compared: a grid or surface in pieces (.pvti, .pvtu) as one that is
-/// whole
-/// (.vti, .vtu).
+/// What a file is called where it is compared: a grid or surface in pieces (.pvti, .pvtu) as one that
+/// is whole (.vti, .vtu).
 std::string whole_name(const std::string& file);
 
 }  // namespace tanktread::driver

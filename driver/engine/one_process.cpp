@@ -1,6 +1,12 @@
 #include "driver/engine/one_process.hpp"
 
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "coupler/tangential_correction.hpp"
 #include "driver/observe/measures.hpp"
+#include "driver/program/errors.hpp"
 #include "driver/system/capsule_shape.hpp"
 #include "driver/system/fluid_output.hpp"
 #include "driver/system/state_folder.hpp"
@@ -17,7 +23,11 @@ void OneProcess::begin(const MembraneShapes& shapes) {
 }
 
 void OneProcess::restore(const SavedState& state) {
-  system_ = make_system(case_, parameters_, state.shapes);
+  try {
+    system_ = make_system(case_, parameters_, state.shapes);
+  } catch (const std::invalid_argument& error) {  // of a shape that is no membrane's
+    throw InputError(fmt::format("{}: does not fit the case: {}", state.folder.string(), error.what()));
+  }
   driver::restore(system_, state);
 }
 
@@ -36,7 +46,11 @@ std::vector<std::string> OneProcess::measures_rows() {
 }
 
 EnergyBudget OneProcess::energy_budget() {
-  return driver::energy_budget(system_, case_);
+  try {
+    return driver::energy_budget(system_, case_);
+  } catch (const coupler::CorrectionError& error) {
+    throw RunError(fmt::format("step {}: {}", system_.step, error.what()));
+  }
 }
 
 void OneProcess::write_membranes(const std::filesystem::path& file) {

@@ -100,9 +100,13 @@ void SystemPart::keep(std::vector<PartCapsule> capsules, FirstError& error) {
     shapes.meshes.push_back(std::move(capsule.start));
     shapes.stress_free.push_back(std::move(capsule.stress_free));
   }
-  auto made = capsules.empty() ? std::vector<CapsuleMembrane>()
-                               : make_membranes(with_capsules(case_, numbers),
-                                                with_capsules(parameters_, numbers), shapes);
+  std::vector<CapsuleMembrane> made;
+  try {
+    if (!capsules.empty())
+      made = make_membranes(with_capsules(case_, numbers), with_capsules(parameters_, numbers), shapes);
+  } catch (const std::invalid_argument& mismatch) {  // of a shape that is no membrane's
+    return error.keep({StepPhase::restore, numbers[0], false, mismatch.what()});
+  }
   for (std::size_t k = 0; k < capsules.size(); ++k) {
     auto& membrane = made[k];
     const Eigen::Matrix3Xd zero = Eigen::Matrix3Xd::Zero(3, membrane.n_nodes());

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <exception>
+#include <stdexcept>
 #include <utility>
 
 #include "driver/engine/capsule_orders.hpp"
-#include "driver/program/errors.hpp"
+#include "driver/program/file_system_error.hpp"
 #include "driver/system/capsule_shape.hpp"
 #include "exchange/append_surface.hpp"
 #include "exchange/vtk_files.hpp"
@@ -71,20 +72,27 @@ std::string error_of_writing(const std::filesystem::path& file, const exchange::
   try {
     std::filesystem::create_directories(file.parent_path());
     exchange::write_surface(file, content);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return message_of(error);
   } catch (const std::exception& error) {  // the others wait for the word of this rank
     return error.what();
   }
   return "";
 }
 
-/// Why these are not all capsules of a case; "": they are.
-std::string objection_to(std::vector<double> numbers, std::size_t n_capsules, const std::string& name) {
-  std::ranges::sort(numbers);
-  bool are_all = numbers.size() == n_capsules;
-  for (std::size_t k = 0; are_all && k < n_capsules; ++k) are_all = numbers[k] == static_cast<double>(k);
+/// Why these are not all capsules of a case in their order; "": they are.
+/// @param found piece and number of each, those of a piece one after the other
+std::string objection_to(const std::vector<double>& found, std::size_t n_capsules, const std::string& name) {
+  std::vector<std::pair<double, double>> capsules;
+  for (std::size_t k = 0; k + 1 < found.size(); k += 2) capsules.emplace_back(found[k], found[k + 1]);
+  std::ranges::stable_sort(capsules, {}, [](const auto& capsule) { return capsule.first; });
+  bool are_all = capsules.size() == n_capsules;
+  for (std::size_t k = 0; are_all && k < n_capsules; ++k)
+    are_all = capsules[k].second == static_cast<double>(k);
   if (are_all) return "";
-  return fmt::format("{}: its pieces have {} capsules, the case has {}, each of which must be there once",
-                     name, numbers.size(), n_capsules);
+  return fmt::format(
+      "{}: its pieces have {} capsules, the case has {}, each of which must be there once, in their order",
+      name, capsules.size(), n_capsules);
 }
 
 }  // namespace
@@ -98,10 +106,10 @@ SurfacesWritten write_surfaces(const SystemPart& part, const SurfacesToWrite& wh
     const auto of_round = std::span(pieces).subspan(round, std::min(n_ranks, pieces.size() - round));
     auto surfaces = brought_to_writers(part, of_round, what.is_state);
     if (rank >= of_round.size()) continue;
-    const auto content = put_together(std::move(surfaces));
+    auto content = put_together(std::move(surfaces));
     const auto error = error_of_writing(file_of_piece(what.file, round + rank, pieces.size()), content);
     if (written.error.empty()) written.error = error;
-    if (round + rank == 0) written.first = content;
+    if (round + rank == 0 && pieces.size() > 1) written.first = std::move(content);
   }
   return written;
 }
@@ -125,7 +133,7 @@ CapsulesMade make_capsules(const ranks::World& world, const Case& the_case) {
     try {
       auto shape = capsule_shape(the_case, k);
       made.capsules.push_back({k, std::move(shape.mesh), std::move(shape.stress_free), std::nullopt});
-    } catch (const InputError& error) {
+    } catch (const std::runtime_error& error) {  // an InputError, or one of the file system
       made.error = StepError{StepPhase::restore, k, false, error.what()};
       break;
     }
@@ -142,11 +150,11 @@ CapsulesRead read_capsules(const ranks::World& world, const std::filesystem::pat
     for (auto piece = static_cast<std::size_t>(world.rank()); piece < index.pieces.size();
          piece += static_cast<std::size_t>(world.size())) {
       for (auto& capsule : part_capsules(read_saved_capsules(index_file, index, piece))) {
-        numbers.push_back(static_cast<double>(capsule.number));
+        numbers.insert(numbers.end(), {static_cast<double>(piece), static_cast<double>(capsule.number)});
         read.capsules.push_back(std::move(capsule));
       }
     }
-  } catch (const exchange::FileError& error) {
+  } catch (const std::runtime_error& error) {  // a FileError, or one of the file system
     read.error = error.what();
   }
   read.all_well = world.highest(read.error.empty() ? 0 : 1) == 0;
@@ -156,12 +164,13 @@ CapsulesRead read_capsules(const ranks::World& world, const std::filesystem::pat
   return read;
 }
 
-std::vector<PartCapsule> part_capsules(const SavedCapsules& saved) {
+std::vector<PartCapsule> part_capsules(SavedCapsules saved) {
   std::vector<PartCapsule> capsules;
   for (std::size_t k = 0; k < saved.positions.size(); ++k) {
-    capsules.push_back({saved.first + k, saved.shapes.meshes[k], saved.shapes.stress_free[k],
-                        PartCapsule::State{saved.positions[k], saved.node_velocity[k], saved.node_force[k],
-                                           saved.membranes[k].history}});
+    capsules.push_back(
+        {saved.first + k, std::move(saved.shapes.meshes[k]), std::move(saved.shapes.stress_free[k]),
+         PartCapsule::State{std::move(saved.positions[k]), std::move(saved.node_velocity[k]),
+                            std::move(saved.node_force[k]), std::move(saved.membranes[k].history)}});
   }
   return capsules;
 }

@@ -18,8 +18,8 @@ namespace tanktread::driver {
 struct SurfacesWritten {
   std::string error;         ///< "": all is well
   std::size_t n_pieces = 0;  ///< of all ranks
-  std::optional<exchange::SurfacePacket>
-      first;  ///< the first piece, on the rank that has written it, the first
+  /// Of several pieces the first, on the first rank, which has written it.
+  std::optional<exchange::SurfacePacket> first;
 };
 
 /// Writes the pieces of all capsules: piece k is written by rank k modulo their number, to which owners send
@@ -51,6 +51,6 @@ CapsulesRead read_capsules(const ranks::World& world, const std::filesystem::pat
                            std::size_t n_capsules);
 
 /// The capsules that something was saved of.
-std::vector<PartCapsule> part_capsules(const SavedCapsules& saved);
+std::vector<PartCapsule> part_capsules(SavedCapsules saved);
 
 }  // namespace tanktread::driver

@@ -32,6 +32,7 @@ void ExactSum::add(double term) {
     not_finite_ += term;
     return;
   }
+  if (term == 0) return;  // of which there are many
   constexpr std::int64_t most_uncarried = std::int64_t{1} << 29;
   if (++n_uncarried_ >= most_uncarried) carry();
   const auto [mantissa, place] = parts_of(term);

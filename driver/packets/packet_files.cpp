@@ -59,15 +59,12 @@ std::vector<std::size_t> capsule_numbers(const exchange::SurfacePacket& file, co
 std::vector<Eigen::Matrix3Xi> split_triangles(const exchange::SurfacePacket& file, const std::string& name) {
   const auto numbers = capsule_numbers(file, name);
   std::vector<Eigen::Matrix3Xi> triangles(numbers.empty() ? 1 : numbers.back() + 1);
-  std::size_t first = 0;
+  std::vector<Eigen::Index> n_triangles(triangles.size(), 0);
+  for (const std::size_t capsule : numbers) ++n_triangles[capsule];
+  auto corner = file.triangles.begin();
   for (std::size_t capsule = 0; capsule < triangles.size(); ++capsule) {
-    const auto n = static_cast<Eigen::Index>(std::ranges::count(numbers, capsule));
-    triangles[capsule].resize(3, n);
-    for (Eigen::Index corner = 0; corner < 3 * n; ++corner) {
-      triangles[capsule].data()[corner] =
-          static_cast<int>(file.triangles[first + static_cast<std::size_t>(corner)]);
-    }
-    first += 3 * static_cast<std::size_t>(n);
+    triangles[capsule].resize(3, n_triangles[capsule]);
+    for (int& of_capsule : triangles[capsule].reshaped()) of_capsule = static_cast<int>(*corner++);
   }
   return triangles;
 }

@@ -1,4 +1,4 @@
-// The whole state of a case between two steps, read from a folder of three files. It takes no component to
+// The whole state of a case between two steps, read from a folder of three files, or these in pieces. It takes no component to
 // read one.
 #pragma once
 

@@ -106,7 +106,7 @@ Plan make_plan(const Case& the_case, MembraneShapes shapes, double held_bytes, T
   plan.cost = predict_cost(the_case, plan.parameters, plan.sizes, probe);
   auto warning_lines = warnings(the_case, plan.parameters, seen.mean_edges, placement);
   warning_lines.insert(warning_lines.begin(), remarks.begin(), remarks.end());
-  if (as_sample) {
+  if (as_sample && !has_program(the_case)) {
     warning_lines.push_back(
         "the case is large: its speed is concluded from a sample, a smaller box with one capsule");
   }

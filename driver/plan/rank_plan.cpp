@@ -13,6 +13,7 @@
 #include "driver/case/case_geometry.hpp"
 #include "driver/program/errors.hpp"
 #include "driver/system/components.hpp"
+#include "driver/system/fluid_output.hpp"
 #include "driver/system/halo_by_ranks.hpp"
 #include "driver/system/run_ranks.hpp"
 #include "fluid/part_sizes.hpp"
@@ -117,10 +118,10 @@ RankModel rank_model(const Case& the_case, const Cost& cost) {
 
 RankSubject rank_subject(const Case& the_case, const FlowParameters& parameters,
                          std::span<const MeshSize> meshes) {
-  RankSubject subject{box_of_ranks(the_case), fluid_settings(the_case, parameters), 0, 0, 0, {}};
+  RankSubject subject{box_of_ranks(the_case), fluid_settings(the_case, parameters), 0, 0, 0, false, {}};
   subject.node_bytes =
       fluid::lattice_boltzmann_force_memory_per_node + fluid::lattice_boltzmann_state_per_node;
-  const bool in_pieces = nodes_in(subject.box.n) > the_case.output.whole_file_nodes;
+  const bool in_pieces = has_large_box(the_case);
   if (in_pieces) {
     // The largest array is there twice while a piece is written: with the layer of its neighbours.
     subject.node_bytes += fluid::lattice_boltzmann_populations_per_node;
@@ -137,6 +138,7 @@ RankSubject rank_subject(const Case& the_case, const FlowParameters& parameters,
     subject.membranes.push_back({nodes, membrane_memory_bytes(the_case, k, nodes)});
     n_triangles += static_cast<double>(meshes[k].n_triangles);
   }
+  subject.has_pieces_of_membranes = n_triangles > the_case.output.whole_file_triangles;
   // With what it is put together from.
   subject.surface_bytes =
       2 * triangle_state_bytes * std::min<double>(n_triangles, the_case.output.whole_file_triangles);
@@ -161,8 +163,9 @@ RankPlan rank_plan(const RankSubject& subject, const ranks::Division& division, 
   for (const int rank : kinds_of_parts(division)) add_part(plan, subject, division, rank, model);
   plan.membrane_memory_bytes = largest_share(subject, n_ranks).bytes;
   if (n_ranks > 1) {
-    plan.first_rank_bytes =
-        subject.gathered_bytes * static_cast<double>(nodes_in(subject.box.n)) + subject.surface_bytes;
+    plan.first_rank_bytes = subject.gathered_bytes * static_cast<double>(nodes_in(subject.box.n));
+    (subject.has_pieces_of_membranes ? plan.membrane_memory_bytes : plan.first_rank_bytes) +=
+        subject.surface_bytes;
   }
   plan.membrane_seconds = membrane_seconds(subject, n_ranks, model);
   plan.efficiency = one_rank_seconds(subject, model) / (n_ranks * plan.step_seconds());

@@ -46,6 +46,7 @@ struct RankSubject {
   double gathered_bytes =
       0;                     ///< a node of the box, on the first rank: a state, and marks, if files are whole
   double surface_bytes = 0;  ///< of the largest file of membranes, while it is put together
+  bool has_pieces_of_membranes = false;  ///< so that every rank writes such a file, else the first one
   struct Membrane {
     double nodes = 0, bytes = 0;  ///< bytes of memory
   };

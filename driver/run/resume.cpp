@@ -43,12 +43,14 @@ ResumeStart start_at(const fs::path& directory, const fs::path& folder, Checkpoi
 }
 
 /// The step of the latest other checkpoint that the run could go on from. @param accept_gaps as asked for
-/// then
+/// then @param with_pieces as read_checkpoint(): without, only that pieces are there is known
 std::optional<std::int64_t> other_start(const fs::path& directory, const fs::path& folder,
-                                        const Case& the_case, const Output& output, bool accept_gaps) {
+                                        const Case& the_case, const Output& output, bool accept_gaps,
+                                        bool with_pieces) {
   for (const auto& other : other_checkpoints(directory, folder)) {
     try {
-      return start_at(directory, other, read_checkpoint(other), the_case, output, accept_gaps).point.step;
+      return start_at(directory, other, read_checkpoint(other, with_pieces), the_case, output, accept_gaps)
+          .point.step;
     } catch (const InputError&) {
     } catch (const exchange::FileError&) {
       // Is no help either.
@@ -58,10 +60,10 @@ std::optional<std::int64_t> other_start(const fs::path& directory, const fs::pat
 }
 
 std::string advice_for_damage(const fs::path& directory, const fs::path& folder, const Case& the_case,
-                              const Output& output) {
-  if (const auto other = other_start(directory, folder, the_case, output, false))
+                              const Output& output, bool with_pieces) {
+  if (const auto other = other_start(directory, folder, the_case, output, false, with_pieces))
     return fmt::format("go on from the checkpoint of step {0} with --from-step {0}", *other);
-  if (const auto other = other_start(directory, folder, the_case, output, true)) {
+  if (const auto other = other_start(directory, folder, the_case, output, true, with_pieces)) {
     return fmt::format(
         "go on from the checkpoint of step {0}, without rows of tables that are missing, "
         "with --from-step {0} --accept-gaps",
@@ -72,9 +74,10 @@ std::string advice_for_damage(const fs::path& directory, const fs::path& folder,
 }
 
 [[noreturn]] void refuse_damaged(const exchange::FileError& error, const fs::path& directory,
-                                 const fs::path& folder, const Case& the_case, const Output& output) {
+                                 const fs::path& folder, const Case& the_case, const Output& output,
+                                 bool with_pieces) {
   throw InputError(fmt::format("{}\n{}: the checkpoint cannot be used; {}", error.what(), folder.string(),
-                               advice_for_damage(directory, folder, the_case, output)));
+                               advice_for_damage(directory, folder, the_case, output, with_pieces)));
 }
 
 std::string advice_for_gap(std::optional<std::int64_t> other) {
@@ -95,13 +98,14 @@ ResumeStart find_start(const fs::path& directory, const Case& the_case, const Ou
   try {
     checkpoint = read_checkpoint(folder, from.with_pieces);
   } catch (const exchange::FileError& error) {
-    refuse_damaged(error, directory, folder, the_case, output);
+    refuse_damaged(error, directory, folder, the_case, output, from.with_pieces);
   }
   try {
     return start_at(directory, folder, std::move(checkpoint), the_case, output, from.accept_gaps);
   } catch (const exchange::FileError& error) {
-    throw InputError(fmt::format("{}\n{}", error.what(),
-                                 advice_for_gap(other_start(directory, folder, the_case, output, false))));
+    throw InputError(fmt::format(
+        "{}\n{}", error.what(),
+        advice_for_gap(other_start(directory, folder, the_case, output, false, from.with_pieces))));
   }
 }
 
@@ -110,7 +114,8 @@ void restore_start(Engine& engine, const ResumeStart& start, const fs::path& dir
   try {
     engine.restore(start.state);
   } catch (const exchange::FileError& error) {
-    refuse_damaged(error, directory, start.folder, the_case, output);
+    const bool with_pieces = start.state.membrane_pieces.empty();
+    refuse_damaged(error, directory, start.folder, the_case, output, with_pieces);
   }
 }
 

@@ -64,8 +64,8 @@ void add_membrane_command(CLI::App& app, int& exit_code) {
                    ->needs(in);
   auto* state = command
                     ->add_option("--state", stage.state,
-                                 "History to go on from (.vtu): --out of this command, membrane.vtu of a "
-                                 "checkpoint (default: none)")
+                                 "History to go on from (.vtu, .pvtu): --out of this command, membrane.vtu or "
+                                 "membrane.pvtu of a checkpoint (default: none)")
                     ->needs(in);
   command->add_option("--out", stage.out, "Surface file to write (.vtu): forces, strain, stress, new history")
       ->required();

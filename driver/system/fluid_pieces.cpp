@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "driver/packets/packet_files.hpp"
+#include "driver/program/file_system_error.hpp"
 #include "driver/system/piece_nodes.hpp"
 #include "exchange/grid_writer.hpp"
 #include "exchange/vtk_files.hpp"
@@ -117,13 +118,18 @@ class PieceFile {
   }
 
  private:
+  void fail(std::string error) {
+    error_ = std::move(error);
+    writer_.reset();
+  }
   template <class Do>
   void try_to(const Do& act) {
     try {
       act();
+    } catch (const std::filesystem::filesystem_error& error) {
+      fail(message_of(error));
     } catch (const std::exception& error) {
-      error_ = error.what();
-      writer_.reset();
+      fail(error.what());
     }
   }
 

@@ -28,9 +28,8 @@ MembraneArrays arrays_of(std::span<const CapsuleMembrane> membranes);
 
 /// Membranes as one surface. Point data velocity, elastic_force (of the law), of the energies beside it
 /// that any membrane has bending_force, global_area_force, local_area_force, volume_force, total_force, and
-/// where a capsule has a load load_force; cell data
-/// principal_stretches, stress, viscous_stress, area_ratio, capsule; field data step, shear_time,
-/// schema_version.
+/// where a capsule has a load load_force; cell data principal_stretches, stress, viscous_stress, area_ratio,
+/// capsule; field data step, shear_time, schema_version.
 /// @param capsules whose numbers follow one another
 exchange::SurfacePacket membrane_file(const CapsulesNow& capsules, const MembraneArrays& arrays);
 /// The same of all capsules of a case.
@@ -40,10 +39,9 @@ exchange::SurfacePacket membrane_file(const std::vector<CapsuleMembrane>& membra
                                       const NodeVectors& velocity, const NodeVectors& force,
                                       std::int64_t step, double shear_time);
 
-/// Adds what the membranes need to go on: point data reference_position,
-/// where that is not where they started start_position, field data history_0, history_1 ...
-/// (Membrane::history()), and of programs program_0_point_NAME, program_0_cell_NAME
-/// (OutsideMembrane::state()), with the numbers of the capsules.
+/// Adds what the membranes need to go on: point data reference_position, where that is not where they started
+/// start_position, field data history_0, history_1 ... (Membrane::history()), and of programs
+/// program_0_point_NAME, program_0_cell_NAME (OutsideMembrane::state()), with the numbers of the capsules.
 void add_state(exchange::SurfacePacket& file, const CapsulesNow& capsules, const MembraneArrays& arrays);
 /// The same of all capsules of a case.
 void add_state(exchange::SurfacePacket& file, const std::vector<CapsuleMembrane>& membranes);

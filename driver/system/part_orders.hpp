@@ -1,4 +1,4 @@
-// What the first rank tells the others, and what they answer. Internal to driver/system.
+// What the first rank tells the others, and what they answer. Internal to driver/system and driver/engine.
 #pragma once
 
 #include <cstdint>

@@ -91,10 +91,13 @@ Extent Placement::extent(std::size_t capsule, int axis) const {
 
 std::optional<Nearest> Placement::nearest_at(std::size_t first, std::size_t second,
                                              const Eigen::Vector3i& faces, double within) const {
-  const auto one_held = surface(first), other_held = surface(second);
-  const auto &one = *one_held, &other = *other_held;
   const auto& box = the_case_.flow.box;
   const Eigen::Vector3d shift(faces[0] * box[0], faces[1] * box[1], faces[2] * box[2]);
+  // Most are far apart, which their boxes tell; where one lies inside another these overlap.
+  auto moved = boxes_[second];
+  if (boxes_[first].exteriorDistance(moved.translate(shift)) > within) return std::nullopt;
+  const auto one_held = surface(first), other_held = surface(second);
+  const auto &one = *one_held, &other = *other_held;
   // What lies inside is no neighbour, however far it is from the surface around it.
   const bool holds = one.encloses(other, shift), is_held = other.encloses(one, -shift);
   const double far = std::numeric_limits<double>::infinity();

@@ -251,4 +251,27 @@ TEST_F(EnergyTable, ARunGoesOnWithIt) {
   EXPECT_THAT(refused.output, HasSubstr("energy.csv: is missing"));
 }
 
+// One part cannot tell inside from outside, so the whole cannot.
+TEST(Energy, OfPartsOfWhichOneDoesNotKnowWhatIsInside) {
+  FlowBudget known, unknown;
+  known.inner.add(2);
+  known.outer.add(3);
+  unknown.knows_inside = false;
+  unknown.outer.add(10);
+  for (const bool known_first : {true, false}) {
+    auto sum = known_first ? known : unknown;
+    sum.add(known_first ? unknown : known);
+    const auto budget = energy_budget(7, 0.5, {}, sum);
+    EXPECT_TRUE(std::isnan(budget.inner));
+    EXPECT_EQ(budget.outer, 15);
+    EXPECT_EQ(budget.remainder, -15);
+  }
+  auto twice = known;
+  twice.add(known);
+  const auto budget = energy_budget(7, 0.5, {}, twice);
+  EXPECT_EQ(budget.inner, 4);
+  EXPECT_EQ(budget.outer, 6);
+  EXPECT_EQ(budget.step, 7);
+}
+
 }  // namespace

@@ -34,7 +34,7 @@ ROOMS = {
     "plan": ("program", "case", "units", "packets", "outside", "system", "observe"),  # what a case will be and cost
     "run": ("program", "case", "units", "packets", "outside", "system", "stages", "observe", "engine", "plan"),  # the run, its output
     "diff": ("program",),  # two outputs compared
-    "absent": ("program", "case", "system", "stages"),  # in the place of commands whose component is not built
+    "absent": ("program", "case", "system", "stages", "engine"),  # in the place of commands whose component is not built
 }
 
 # Outside libraries by the form of their headers, and who may include them.

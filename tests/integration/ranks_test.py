@@ -81,6 +81,9 @@ RUNS = {
         ["coupler.kernel=peskin4", "coupler.tangential_correction=true", "flow.viscosity_ratio=3"], CASE + SECOND, [3, "2,1,2"]),
     "in single precision": (["flow.storage=single", "flow.viscosity_ratio=0.5"], CASE + SECOND, [2, "1,3,1"]),
     "a slice of the fluid, to the first nodes of a part": (["output.fluid_box=[[0,12],[3,3],[5,12]]"], CASE, ["1,1,9", "2,2,1"]),
+    "what one capsule alone has, and shapes from files": (
+        ["capsule.1.load.force=0.5", "capsule.1.load.direction=[1,0,0]", "capsule.0.membrane.bending_modulus=0.02", "capsule.1.stress_free.shape=spheroid", "capsule.1.stress_free.aspect_ratio=0.9"],
+        CASE.replace('shape = "sphere", level = 1', 'file = "sphere.vtu"') + SECOND, [3]),
     "a red cell": (
         ["capsule.0.mesh.shape=biconcave", "membrane.bending_modulus=0.02", "membrane.global_area_modulus=1",
          "membrane.volume_modulus=1"], CASE, [2]),
@@ -88,6 +91,7 @@ RUNS = {
 
 # Of these the runs on several ranks write in pieces, the run on one in one file: of the membranes, a capsule a piece.
 IN_PIECES = {
+    "what one capsule alone has, and shapes from files",
     "over an edge and a corner of the cuts", "a viscosity contrast", "several, round a periodic box",
     "across the cuts, with other owners on the way", "in single precision", "a slice of the fluid, to the first nodes of a part",
 }
@@ -154,6 +158,7 @@ class OnRanks(InFolder):
 
 class Equal(OnRanks):
     def test_runs_of_every_kind(self):
+        self.run_well("mesh", "sphere", "--level", "1", "--radius", "4", "sphere.vtu")
         for name, (changes, case, shares) in RUNS.items():
             (self.folder / "case.toml").write_text(case)
             settings = [word for change in changes for word in ("--set", change)]

@@ -209,7 +209,10 @@ TEST(RankPlan, SharesCapsules) {
   const auto in_pieces = rank_plan(subject_of(cut), division, some_model());
   EXPECT_EQ(in_pieces.first_rank_bytes, 2 * 370.0 * (5120 + 1280));
   cut.output.whole_file_triangles = 1300;
-  EXPECT_EQ(rank_plan(subject_of(cut), division, some_model()).first_rank_bytes, 2 * 370.0 * 1300);
+  const auto all_in_pieces =
+      rank_plan(subject_of(cut), division, some_model());  // of which each rank has one
+  EXPECT_EQ(all_in_pieces.first_rank_bytes, 0);
+  EXPECT_EQ(all_in_pieces.membrane_memory_bytes, subject.membranes[0].bytes + 2 * 370.0 * 1300);
   EXPECT_EQ(in_pieces.fluid_memory_bytes - plan.fluid_memory_bytes, 20 * 50 * 60 * 152.0);
   EXPECT_EQ(capsules_of_a_rank(1000, 999), 2);
   EXPECT_EQ(capsules_of_a_rank(1000, 100'000), 1);
