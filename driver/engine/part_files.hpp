@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "driver/engine/system_part.hpp"
+#include "driver/packets/saved_state.hpp"
 #include "driver/system/surface_files.hpp"
 #include "exchange/packet.hpp"
 #include "ranks/packing.hpp"

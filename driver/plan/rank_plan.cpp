@@ -76,7 +76,8 @@ void add_part(RankPlan& plan, const RankSubject& subject, const ranks::Division&
     plan.largest_message_bytes = std::max(plan.largest_message_bytes, message.bytes);
   // What goes out and what comes in.
   const double memory = static_cast<double>(sizes.population_bytes + 2 * bytes) +
-                        subject.node_bytes * static_cast<double>(sizes.nodes);
+                        subject.node_bytes * static_cast<double>(sizes.nodes) +
+                        subject.halo_node_bytes * static_cast<double>(sizes.halo_nodes) + subject.part_bytes;
   plan.fluid_memory_bytes = std::max(plan.fluid_memory_bytes, memory);
   const double fluid = model.node_seconds * static_cast<double>(sizes.nodes);
   const double messages =
@@ -118,19 +119,24 @@ RankModel rank_model(const Case& the_case, const Cost& cost) {
 
 RankSubject rank_subject(const Case& the_case, const FlowParameters& parameters,
                          std::span<const MeshSize> meshes) {
-  RankSubject subject{box_of_ranks(the_case), fluid_settings(the_case, parameters), 0, 0, 0, false, {}};
-  subject.node_bytes =
-      fluid::lattice_boltzmann_force_memory_per_node + fluid::lattice_boltzmann_state_per_node;
-  const bool in_pieces = has_large_box(the_case);
-  if (in_pieces) {
-    // The largest array is there twice while a piece is written: with the layer of its neighbours.
-    subject.node_bytes += fluid::lattice_boltzmann_populations_per_node;
+  RankSubject subject;
+  subject.box = box_of_ranks(the_case);
+  subject.fluid = fluid_settings(the_case, parameters);
+  subject.node_bytes = fluid::lattice_boltzmann_force_memory_per_node;
+  if (has_large_box(the_case)) {
+    // Pieces are written and read by layers; the nodes at cuts go to and from the neighbours.
+    subject.part_bytes = 16e6;
+    subject.halo_node_bytes = 3 * fluid::lattice_boltzmann_populations_per_node;
   } else {
+    subject.node_bytes += fluid::lattice_boltzmann_state_per_node;
     subject.gathered_bytes = fluid::lattice_boltzmann_state_per_node;
   }
   if (has_contrast(the_case)) {
-    subject.node_bytes += 8 + 8 + 4;                  // a viscosity, that in a state, a mark
-    subject.gathered_bytes += in_pieces ? 0 : 8 + 4;  // the latter two
+    subject.node_bytes += 8 + 4;  // a viscosity, a mark
+    if (!has_large_box(the_case)) {
+      subject.node_bytes += 8;  // the viscosity in a state
+      subject.gathered_bytes += 8 + 4;
+    }
   }
   double n_triangles = 0;
   for (std::size_t k = 0; k < meshes.size(); ++k) {

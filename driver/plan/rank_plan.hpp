@@ -42,7 +42,10 @@ RankModel rank_model(const Case& the_case, const Cost& cost);
 struct RankSubject {
   ranks::Box box;
   fluid::LatticeBoltzmannSettings fluid;
-  double node_bytes = 0;  ///< of memory a node, beside populations: force, viscosity, a state
+  double node_bytes =
+      0;  ///< of memory a node, beside populations: force, viscosity, a state if files are whole
+  double halo_node_bytes = 0;  ///< likewise a node of the halo, while pieces are written
+  double part_bytes = 0;       ///< likewise of a part: the layers of it that go to a piece
   double gathered_bytes =
       0;                     ///< a node of the box, on the first rank: a state, and marks, if files are whole
   double surface_bytes = 0;  ///< of the largest file of membranes, while it is put together

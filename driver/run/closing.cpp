@@ -9,6 +9,7 @@
 #include "driver/program/signals.hpp"
 #include "driver/run/memory_speed.hpp"
 #include "driver/system/components.hpp"
+#include "driver/system/run_ranks.hpp"
 #include "fluid/lattice_boltzmann.hpp"
 
 namespace tanktread::driver {
@@ -21,6 +22,7 @@ double memory_speed(const Case& the_case) {
   constexpr double most_seconds = 0.3;
   std::int64_t lattice_bytes = fluid::lattice_boltzmann_memory_per_node(storage_of(the_case.flow));
   for (const int n : the_case.flow.box) lattice_bytes *= n;
+  if (other_ranks() != nullptr) lattice_bytes /= other_ranks()->size();  // no more than its part
   const auto n = std::min(lattice_bytes / bytes_of_number, most_numbers);
   return update_in_place_speed(n, most_passes, most_seconds, the_case.run.threads);
 }

@@ -194,8 +194,8 @@ TEST(RankPlan, OfMoreRanksTakesLessTimeAndMemoryButIsLessEfficient) {
 }
 
 // Capsules of 2562 and 642 nodes: two ranks have one each, and the larger counts. The first one gathers
-// files: a state of the box, but for one in pieces, of which each rank has its largest array twice; and
-// membranes, as many triangles as a file may have.
+// files: a state of the box, but for one in pieces, of which each rank has layers and what crosses its cuts;
+// and membranes, as many triangles as a file may have.
 TEST(RankPlan, SharesCapsules) {
   const auto subject = subject_of(parse(full_case));
   ASSERT_EQ(subject.membranes.size(), 2u);
@@ -213,7 +213,9 @@ TEST(RankPlan, SharesCapsules) {
       rank_plan(subject_of(cut), division, some_model());  // of which each rank has one
   EXPECT_EQ(all_in_pieces.first_rank_bytes, 0);
   EXPECT_EQ(all_in_pieces.membrane_memory_bytes, subject.membranes[0].bytes + 2 * 370.0 * 1300);
-  EXPECT_EQ(in_pieces.fluid_memory_bytes - plan.fluid_memory_bytes, 20 * 50 * 60 * 152.0);
+  const auto halo = static_cast<double>(in_pieces.halo_nodes);
+  EXPECT_EQ(in_pieces.fluid_memory_bytes - plan.fluid_memory_bytes,
+            16e6 + 3 * 152 * halo - 20 * 50 * 60 * 176.0);
   EXPECT_EQ(capsules_of_a_rank(1000, 999), 2);
   EXPECT_EQ(capsules_of_a_rank(1000, 100'000), 1);
   EXPECT_EQ(capsules_of_a_rank(0, 8), 0);
