@@ -202,7 +202,7 @@ class Equal(OnRanks):
         for run, pieces in (("parts", True), ("whole", False)):
             self.run_well("run", "case.toml", "--force", "--output", run, *settings, *(PIECES if pieces else []), "--shear-time", "0.02", ranks=3)
             echo = self.folder / run / "echo.toml"
-            echo.write_text(re.sub(r"(?m)^(whole_file_nodes|whole_file_triangles) = .*$", r"\1 = " + ("16777216" if pieces else "100"), echo.read_text()))
+            echo.write_text(re.sub(r"(?m)^(whole_file_nodes|whole_file_triangles) = .*$", r"\1 = " + ("4194304" if pieces else "100"), echo.read_text()))
             self.run_well("run", "--resume", run, "--shear-time", "0.06", ranks=2)
             for kind in ("fluid", "membrane"):
                 self.assert_in_pieces(f"{run}/checkpoints/step_*27", not pieces, kind)

@@ -82,7 +82,7 @@ fluid::LatticeBoltzmannSettings settings() {
 std::vector<ranks::Division> divisions() {
   std::vector<ranks::Division> found;
   const int n = all_ranks->size();
-  for (int x = 1; x <= n; ++x)
+  for (int x = 1; x <= std::min(n, box.nx / 3); ++x)  // a part has three nodes along x
     for (int y = 1; x * y <= n; ++y)
       if (n % (x * y) == 0)
         found.push_back({{{box.nx, box.ny, box.nz}, {true, true, true}, {3, 1, 1}}, {x, y, n / (x * y)}});
