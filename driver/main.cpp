@@ -13,10 +13,10 @@
 
 #include "driver/case/spelling.hpp"
 #include "driver/command_line.hpp"
+#include "driver/engine/followers.hpp"
 #include "driver/program/errors.hpp"
 #include "driver/program/file_system_error.hpp"
 #include "driver/program/waiting_threads.hpp"
-#include "driver/engine/followers.hpp"
 #include "driver/system/run_ranks.hpp"
 #include "ranks/world.hpp"
 

@@ -19,12 +19,6 @@ bool has_array(const StateShape& state, const char* name) {
   return std::ranges::any_of(state.arrays, [&](const auto& array) { return array.name == name; });
 }
 
-StateShape shape_of(const State& state) {
-  StateShape shape{state.step, {}};
-  for (const auto& array : state.arrays) shape.arrays.push_back({array.name, array.components});
-  return shape;
-}
-
 std::span<const double> checked(const StateArray& array, std::int64_t n_nodes) {
   const std::int64_t needed = array.components * n_nodes;
   if (std::ssize(array.values) != needed) {

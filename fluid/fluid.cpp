@@ -2,22 +2,13 @@
 #include "fluid/fluid.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <vector>
+
+#include "fluid/border_checks.hpp"
 
 namespace tanktread::fluid {
 namespace {
-
-void require(bool fits, const std::string& what) {
-  if (!fits) throw std::invalid_argument("fluid: " + what);
-}
-
-/// Nodes of the layers.
-std::size_t nodes_of(Layers layers, const GridShape& shape) {
-  require(0 <= layers.begin && layers.begin <= layers.end && layers.end <= shape.nz,
-          "layers " + std::to_string(layers.begin) + " to before " + std::to_string(layers.end) +
-              " are asked for, the box has " + std::to_string(shape.nz));
-  return static_cast<std::size_t>(std::int64_t{layers.end - layers.begin} * shape.nx * shape.ny);
-}
 
 /// @param of_all `components` numbers a node
 void copy_layers(const std::vector<double>& of_all, int components, const GridShape& shape, Layers layers,
@@ -29,8 +20,9 @@ void copy_layers(const std::vector<double>& of_all, int components, const GridSh
 }  // namespace
 
 void Fluid::moments_of_layers(Layers layers, std::span<double> density, std::span<double> velocity) const {
-  const auto n = nodes_of(layers, shape());
-  require(density.size() == n && velocity.size() == 3 * n, "moments_of_layers() got room of another size");
+  const auto n = check_layers("moments_of_layers()", layers, shape());
+  check_size("moments_of_layers(): density", density.size(), n);
+  check_size("moments_of_layers(): velocity", velocity.size(), 3 * n);
   const auto n_all = static_cast<std::size_t>(shape().size());
   std::vector<double> all_density(n_all), all_velocity(3 * n_all);
   moments(all_density, all_velocity);
@@ -39,19 +31,16 @@ void Fluid::moments_of_layers(Layers layers, std::span<double> density, std::spa
 }
 
 StateShape Fluid::state_shape() const {
-  const auto whole = state();
-  StateShape result{whole.step, {}};
-  for (const auto& array : whole.arrays) result.arrays.push_back({array.name, array.components});
-  return result;
+  return shape_of(state());
 }
 
 void Fluid::state_of_layers(const std::string& array, Layers layers, std::span<double> values) const {
-  const auto n = nodes_of(layers, shape());
+  const auto n = check_layers("state_of_layers()", layers, shape());
   const auto whole = state();
   const auto found = std::ranges::find(whole.arrays, array, &StateArray::name);
-  require(found != whole.arrays.end(), "the state has no array '" + array + "'");
-  require(values.size() == n * static_cast<std::size_t>(found->components),
-          "state_of_layers() got room of another size");
+  if (found == whole.arrays.end())
+    throw std::invalid_argument("fluid: the state has no array '" + array + "'");
+  check_size("state_of_layers(): '" + array + "'", values.size(), found->components * n);
   copy_layers(found->values, found->components, shape(), layers, values);
 }
 

@@ -39,11 +39,7 @@ class StateInMemory final : public StateSource {
   StateInMemory(const State& state, const GridShape& shape)
       : state_(state), nodes_a_layer_(std::int64_t{shape.nx} * shape.ny) {}
 
-  StateShape shape() const override {
-    StateShape shape{state_.step, {}};
-    for (const auto& array : state_.arrays) shape.arrays.push_back({array.name, array.components});
-    return shape;
-  }
+  StateShape shape() const override { return shape_of(state_); }
   void read(const std::string& name, Layers layers, std::span<double> values) const override {
     const auto array = std::ranges::find(state_.arrays, name, &StateArray::name);
     std::copy_n(array->values.begin() + array->components * nodes_a_layer_ * layers.begin, values.size(),

@@ -36,6 +36,12 @@ struct StateShape {
   bool operator==(const StateShape&) const = default;
 };
 
+inline StateShape shape_of(const State& state) {
+  StateShape shape{state.step, {}};
+  for (const auto& array : state.arrays) shape.arrays.push_back({array.name, array.components});
+  return shape;
+}
+
 /// The nodes of a box with z = begin, ..., end - 1. Numbers of layers are those of their nodes only, in the
 /// order of those of all nodes.
 struct Layers {

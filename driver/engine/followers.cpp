@@ -117,7 +117,6 @@ class Follower {
   }
 
   bool of_part(Order order, Unpacking& message) {
-    const auto n = static_cast<std::size_t>(part_->shape().size());
     switch (order) {
       case Order::velocity: {
         Numbers velocity(3 * nodes_.size());
@@ -139,10 +138,10 @@ class Follower {
         answer(Packing().put_all(power_in(*part_, &fluid::Fluid::wall_power)));
         return true;
       case Order::moments: {
-        Numbers density(n), velocity(3 * n);
-        part_->moments(density, velocity);
-        answer(Packing().put_all(density));
-        answer(Packing().put_all(velocity));
+        const auto of_box = message.take<fluid::Layers>();
+        const auto moments = moments_of(*part_, own_layers(of_box, division_->block(world_.rank())));
+        answer(Packing().put_all(moments.density));
+        answer(Packing().put_all(moments.velocity));
         return true;
       }
       case Order::force:

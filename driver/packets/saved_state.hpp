@@ -1,5 +1,5 @@
-// The whole state of a case between two steps, read from a folder of three files, or these in pieces. It takes no component to
-// read one.
+// The whole state of a case between two steps, read from a folder of three files, or these in pieces. It
+// takes no component to read one.
 #pragma once
 
 #include <filesystem>

@@ -46,8 +46,8 @@ void put_memory(EchoTable& table, const RankPlan& plan) {
       "memory of a rank", driver::bytes_text(plan.memory_bytes()), "",
       fmt::format("fluid {}, membranes {}, program {}", driver::bytes_text(plan.fluid_memory_bytes),
                   driver::bytes_text(plan.membrane_memory_bytes), driver::bytes_text(program_memory_bytes)));
-  table.row("of the first, more", driver::bytes_text(plan.first_rank_bytes), "",
-            "what it gathers for files", plan.first_rank_bytes > 0);
+  table.row("of the first, more", driver::bytes_text(plan.first_rank_bytes), "", "what it gathers for files",
+            plan.first_rank_bytes > 0);
 }
 
 void put_capsules(EchoTable& table, const RankPlan& plan, const RankSubject& subject) {

@@ -62,11 +62,12 @@ void add_membrane_command(CLI::App& app, int& exit_code) {
                    ->add_flag("--move", stage.move,
                               "First move the nodes by the array `velocity` of --in, for one time step")
                    ->needs(in);
-  auto* state = command
-                    ->add_option("--state", stage.state,
-                                 "History to go on from (.vtu, .pvtu): --out of this command, membrane.vtu or "
-                                 "membrane.pvtu of a checkpoint (default: none)")
-                    ->needs(in);
+  auto* state =
+      command
+          ->add_option("--state", stage.state,
+                       "History to go on from (.vtu, .pvtu): --out of this command, membrane.vtu or "
+                       "membrane.pvtu of a checkpoint (default: none)")
+          ->needs(in);
   command->add_option("--out", stage.out, "Surface file to write (.vtu): forces, strain, stress, new history")
       ->required();
   add_motion_options(*command, *arguments);

@@ -30,6 +30,23 @@ void check_viscosity(std::span<const double> kinematic_viscosity) {
   }
 }
 
+/// Puts what a rank has of some layers to its place among all their numbers.
+void place_layers(std::span<const double> of_part, int components, const ranks::Division& division, int rank,
+                  fluid::Layers layers, std::span<double> of_layers) {
+  const auto block = division.block(rank);
+  const auto own = own_layers(layers, block);
+  const auto& box = division.box().n;
+  const auto n_row = static_cast<std::size_t>(components) * static_cast<std::size_t>(block.n[0]);
+  const double* from = of_part.data();
+  for (int z = own.begin; z < own.end; ++z) {
+    for (int y = 0; y < block.n[1]; ++y, from += n_row) {
+      const std::int64_t layer = block.begin[2] + z - layers.begin;
+      const auto node = (layer * box[1] + block.begin[1] + y) * box[0] + block.begin[0];
+      std::copy_n(from, n_row, &of_layers[static_cast<std::size_t>(components * node)]);
+    }
+  }
+}
+
 }  // namespace
 
 FluidOnRanks::FluidOnRanks(const ranks::World& world, const ranks::Division& division,
@@ -103,17 +120,21 @@ void FluidOnRanks::wall_power(std::span<double> power) const {
 }
 
 void FluidOnRanks::moments(std::span<double> density, std::span<double> velocity) const {
-  check_size("moments(): density", density.size(), static_cast<std::size_t>(shape_.size()));
-  check_size("moments(): velocity", velocity.size(), 3 * static_cast<std::size_t>(shape_.size()));
-  tell_others(world_, order(Order::moments).bytes());
-  const auto n = static_cast<std::size_t>(own_->shape().size());
-  std::vector<double> own_density(n), own_velocity(3 * n);
-  own_->moments(own_density, own_velocity);
-  place_block(own_density, 1, division_, 0, density);
-  place_block(own_velocity, 3, division_, 0, velocity);
+  moments_of_layers({0, shape_.nz}, density, velocity);
+}
+
+void FluidOnRanks::moments_of_layers(fluid::Layers layers, std::span<double> density,
+                                     std::span<double> velocity) const {
+  const auto n = static_cast<std::size_t>(std::int64_t{layers.end - layers.begin} * shape_.nx * shape_.ny);
+  check_size("moments(): density", density.size(), n);
+  check_size("moments(): velocity", velocity.size(), 3 * n);
+  tell_others(world_, order(Order::moments).put(layers).bytes());
+  const auto own = moments_of(*own_, own_layers(layers, division_.block(0)));
+  place_layers(own.density, 1, division_, 0, layers, density);
+  place_layers(own.velocity, 3, division_, 0, layers, velocity);
   for (int rank = 1; rank < world_.size(); ++rank) {
-    place_block(answer_of(rank), 1, division_, rank, density);
-    place_block(answer_of(rank), 3, division_, rank, velocity);
+    place_layers(answer_of(rank), 1, division_, rank, layers, density);
+    place_layers(answer_of(rank), 3, division_, rank, layers, velocity);
   }
 }
 

@@ -40,6 +40,8 @@ class FluidOnRanks final : public fluid::Fluid {
   void dissipation(std::span<double> power) const override;
   void wall_power(std::span<double> power) const override;
   void moments(std::span<double> density, std::span<double> velocity) const override;
+  void moments_of_layers(fluid::Layers layers, std::span<double> density,
+                         std::span<double> velocity) const override;
   void add_force(std::span<const std::int64_t> nodes, std::span<const double> force) override;
   void clear_force() override;
   /// Gathered when it is asked for.

@@ -24,10 +24,14 @@ bool has_large_box(const Case& the_case) {
   return n_nodes > the_case.output.whole_file_nodes;
 }
 
+bool writes_pieces(const System& system, const Case& the_case) {
+  return has_large_box(the_case) && dynamic_cast<const FluidOnRanks*>(system.fluid.get()) == nullptr;
+}
+
 void write_flow(const System& system, const Case& the_case, const fs::path& file) {
   const auto& range = the_case.output.fluid_box;
   const auto inside = system.inside ? system.inside->marks() : std::span<const std::int32_t>();
-  if (has_large_box(the_case)) {
+  if (writes_pieces(system, the_case)) {
     return write_as_one_piece(*system.fluid, inside,
                               {with_ending(file, ".pvti"), range.value_or(whole_range(the_case.flow.box)),
                                false, system.step, system.shear_time()});

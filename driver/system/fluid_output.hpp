@@ -12,6 +12,10 @@ namespace tanktread::driver {
 /// Whether the box has more nodes than output.whole_file_nodes, so that the fluid is written in pieces.
 bool has_large_box(const Case& the_case);
 
+/// Whether a system writes it so: not where packets pass through the first of several ranks, which would ask
+/// the others for every range of layers.
+bool writes_pieces(const System& system, const Case& the_case);
+
 /// Writes density, velocity, force and, with a viscosity contrast, marks of the nodes in output.fluid_box.
 /// @param file without an ending: .vti, or .pvti with a piece in the folder of that name
 /// @throws exchange::FileError

@@ -1,6 +1,7 @@
 // What the first rank tells the others, and what they answer. Internal to driver/system and driver/engine.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -24,7 +25,7 @@ enum class Order {
   free_velocity,     ///< ; velocity, and a message with the mobility
   dissipation,       ///< ; power
   wall_power,        ///< ; power
-  moments,           ///< ; density, and a message with the velocity
+  moments,           ///< layers of the box; density, and a message with the velocity, of those of the part
   add_force,         ///< force
   clear_force,       ///<
   force,             ///< ; force
@@ -108,6 +109,26 @@ inline fluid::State take_state(ranks::Unpacking& unpacking) {
     array.values = unpacking.take_all<double>();
   }
   return state;
+}
+
+/// What a block has of some layers of the box, counted from its own first one.
+inline fluid::Layers own_layers(fluid::Layers of_box, const ranks::Block& block) {
+  const int begin = std::clamp(of_box.begin - block.begin[2], 0, block.n[2]);
+  return {begin, std::clamp(of_box.end - block.begin[2], begin, block.n[2])};
+}
+
+/// Density and velocity of the nodes of these layers of a part.
+struct Moments {
+  std::vector<double> density, velocity;
+};
+inline Moments moments_of(const fluid::Fluid& part, fluid::Layers layers) {
+  const auto shape = part.shape();
+  Moments moments;
+  moments.density.resize(
+      static_cast<std::size_t>(std::int64_t{layers.end - layers.begin} * shape.nx * shape.ny));
+  moments.velocity.resize(3 * moments.density.size());
+  part.moments_of_layers(layers, moments.density, moments.velocity);
+  return moments;
 }
 
 /// The part of a rank, all of which call this together.

@@ -15,7 +15,7 @@ namespace tanktread::driver {
 void write_state(const std::filesystem::path& folder, const System& system, const Case& the_case,
                  FileSizes sizes) {
   std::filesystem::create_directories(folder);
-  const bool in_pieces = sizes == FileSizes::by_case && has_large_box(the_case);
+  const bool in_pieces = sizes == FileSizes::by_case && writes_pieces(system, the_case);
   write_fluid_state(*system.fluid, in_pieces, folder / std::filesystem::path(fluid_state_file).stem());
   write_surfaces(
       {folder / std::filesystem::path(membrane_state_file).stem(), true, most_triangles(the_case, sizes)},

@@ -380,11 +380,13 @@ class Ended(OnRanks):
         """Under mpirun other commands are done once; a record is that of one rank; plan asks for no number of ranks."""
         self.run_well("plan", "case.toml", "--set", "run.ranks=[1,1,3]")
         self.assertEqual(self.run_well("mesh", "sphere", "--level", "1", "--radius", "4", "sphere.vtu", ranks=2).count("sphere.vtu"), 1)
-        for name, ranks in (("one", 1), ("two", 2)):
-            self.run_well("run", "case.toml", "--output", f"out-{name}", "--record", f"record-{name}", "--from", "3", "--to", "5", ranks=ranks)
+        for name, ranks in (("one", 1), ("two", 4)):
+            self.run_well("run", "case.toml", "--output", f"out-{name}", "--record", f"record-{name}", "--from", "3", "--to", "5", *PIECES, ranks=ranks)
+        self.assert_in_pieces("out-two/fluid", False)  # the first rank gathers it
+        self.assert_same("out-one", "out-two")
         done = subprocess.run([self.program, "diff", "record-one", "record-two"], cwd=self.folder, capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        self.run_well("replay", "record-two", "--only", "fluid", ranks=2)
+        self.run_well("replay", "record-two", "--only", "fluid", ranks=4)
 
     def started(self, ranks):
         """mpirun with a long run that has written its first checkpoint."""
