@@ -19,8 +19,7 @@ using NormRange = std::array<double, 2>;
 /// What VTK begins with, and notes of an array without numbers.
 inline constexpr NormRange no_norms = {1e299, -1e299};
 
-/// Widens a range by that of some tuples. Those with a NaN are passed over (VTK takes what comes after the
-/// last of them).
+/// Widens a range by that of some tuples. Those with a NaN are passed over.
 void widen(NormRange& range, const ArrayShape& shape, std::span<const double> values);
 
 /// A .vti around the numbers of its point data, of which each array is its length in bytes (64 bits) and its

@@ -76,7 +76,7 @@ TEST(GridParts, WrittenInAnyPartsHaveTheSameBytes) {
   EXPECT_THAT(folder.names(), ElementsAre("parts.vti", "whole.vti"));
 }
 
-/// Of an array with NaN VTK notes another range.
+/// Of the arrays with NaN here VTK notes other ranges.
 GridPacket without_nan(GridPacket packet) {
   for (auto& array : packet.point_data) {
     for (double& number : array.values)
