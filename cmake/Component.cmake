@@ -53,10 +53,12 @@ function(tanktread_test_compile_options target)
   target_compile_options(${target} PRIVATE -O1)
 endfunction()
 
-# tanktread_test(NAME SOURCES ... LIBRARIES ...): a GoogleTest program, each test known to ctest. Its sources are compiled in
-# groups: helpers of the same name in two of them are an error.
+# tanktread_test(NAME [SECONDS S] SOURCES ... LIBRARIES ...): a GoogleTest program, each test known to ctest by its name (label
+# "each"), and with `ctest -C Whole` the program as one, whole.NAME: a process for each test takes longer than most tests.
+# Its sources are compiled in groups: helpers of the same name in two of them are an error. S: about how long the whole takes, if
+# that is long; such programs start first.
 function(tanktread_test name)
-  cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "" "SECONDS" "SOURCES;LIBRARIES" ${ARGN})
   tanktread_unite(sources ${name} 10 ${arg_SOURCES})
   add_executable(${name} ${sources})
   tanktread_test_compile_options(${name})
@@ -65,5 +67,10 @@ function(tanktread_test name)
   # One thread unless a test asks for more: ctest runs several tests at once, and OpenMP threads that wait by spinning
   # on a processor they share with another test take a hundred times as long.
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
-    PROPERTIES TIMEOUT 600 ENVIRONMENT "OMP_NUM_THREADS=1\\;OMP_WAIT_POLICY=passive")
+    PROPERTIES TIMEOUT 600 LABELS each ENVIRONMENT "OMP_NUM_THREADS=1\\;OMP_WAIT_POLICY=passive")
+  add_test(NAME whole.${name} COMMAND ${name} --gtest_brief=1 CONFIGURATIONS Whole)
+  set_tests_properties(whole.${name} PROPERTIES TIMEOUT 600 ENVIRONMENT "OMP_NUM_THREADS=1;OMP_WAIT_POLICY=passive")
+  if(arg_SECONDS)
+    set_tests_properties(whole.${name} PROPERTIES COST ${arg_SECONDS})
+  endif()
 endfunction()

@@ -1,6 +1,6 @@
 # Tests of driver; included by tests/CMakeLists.txt when the component is built.
 find_package(tomlplusplus REQUIRED)
-tanktread_test(run_test SOURCES integration/run_test.cpp integration/run_storage_test.cpp integration/run_series_test.cpp integration/broken_run_test.cpp
+tanktread_test(run_test SECONDS 40 SOURCES integration/run_test.cpp integration/run_storage_test.cpp integration/run_series_test.cpp integration/broken_run_test.cpp
   integration/resume_test.cpp integration/resume_refusal_test.cpp integration/program_test.cpp
   integration/command_line_test.cpp integration/program.cpp LIBRARIES tanktread::exchange)
 target_compile_definitions(run_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
@@ -28,13 +28,13 @@ tanktread_test(implicit_test SOURCES integration/implicit_step_test.cpp integrat
 target_compile_definitions(implicit_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
 tanktread_test(study_test SOURCES verification/study_maxwell_test.cpp verification/study_noise_test.cpp verification/study_kernel_test.cpp
   verification/study_twist_test.cpp verification/study_layers_test.cpp LIBRARIES tanktread_driver)
-tanktread_test(stages_test SOURCES integration/stages_test.cpp integration/energies_stages_test.cpp integration/implicit_stages_test.cpp integration/implicit_motion_test.cpp
+tanktread_test(stages_test SECONDS 100 SOURCES integration/stages_test.cpp integration/energies_stages_test.cpp integration/implicit_stages_test.cpp integration/implicit_motion_test.cpp
   integration/implicit_refusal_test.cpp integration/replay_test.cpp integration/contrast_stages_test.cpp integration/contrast_files_test.cpp
   integration/mesh_file_test.cpp integration/red_cell_stages_test.cpp integration/cells_from_files_test.cpp integration/output_file_test.cpp integration/program.cpp
   LIBRARIES tanktread_driver)
 target_compile_definitions(stages_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
 add_dependencies(stages_test tanktread)
-tanktread_test(loads_test SOURCES integration/load_step_test.cpp integration/load_stages_test.cpp integration/drag_test.cpp integration/program.cpp
+tanktread_test(loads_test SECONDS 15 SOURCES integration/load_step_test.cpp integration/load_stages_test.cpp integration/drag_test.cpp integration/program.cpp
   LIBRARIES tanktread_driver)
 target_compile_definitions(loads_test PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")
 add_dependencies(loads_test tanktread)

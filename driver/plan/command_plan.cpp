@@ -19,6 +19,7 @@ struct PlanArguments {
   std::vector<std::string> assignments;
   double accuracy = 0;
   int ranks = 1;
+  bool is_untried = false;
 };
 
 void print_plan(const PlanArguments& arguments, bool with_accuracy, bool with_ranks) {
@@ -26,7 +27,8 @@ void print_plan(const PlanArguments& arguments, bool with_accuracy, bool with_ra
   const auto the_case = read_case(arguments.case_file, arguments.assignments);
   std::optional<ranks::Division> division;  // first: a number of ranks that cannot be needs no probe
   if (with_ranks) division = planned_division(the_case, arguments.ranks);
-  const auto plan = make_plan(the_case, {}, no_bytes_held, with_ranks ? Trial::sample : Trial::whole);
+  const auto trial = arguments.is_untried ? Trial::none : with_ranks ? Trial::sample : Trial::whole;
+  const auto plan = make_plan(the_case, {}, no_bytes_held, trial);
   fmt::print("{}", plan.echo);
   if (with_accuracy) fmt::print("{}", accuracy_line(plan.the_case, plan.parameters, arguments.accuracy));
   if (with_ranks) fmt::print("\n{}", rank_report(plan, *division));
@@ -47,6 +49,11 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   auto* n_ranks = add_number(*command, "--ranks", arguments->ranks,
                              "Also say what a run on so many ranks of MPI would be (docs/many-ranks.md)",
                              between(1, 1e7));
+  command
+      ->add_flag("--no-trial", arguments->is_untried,
+                 "Do not try the first steps here: no speed, no times, and a box may be larger than the "
+                 "memory of this machine")
+      ->excludes(n_ranks);
   command->callback([=, &exit_code] {
     print_plan(*arguments, accuracy->count() > 0, n_ranks->count() > 0);
     exit_code = 0;

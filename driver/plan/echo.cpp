@@ -137,7 +137,7 @@ void put_cost(EchoTable& table, const Cost& cost, bool with_program) {
   if (cost.mlups == 0) {
     table.row("run time", "not measured", "",
               with_program             ? "a program has its own time: the run will tell"
-              : cost.breakdown.empty() ? ""
+              : cost.breakdown.empty() ? "not tried"
                                        : "the first steps break down: see warning");
     return;
   }

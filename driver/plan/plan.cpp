@@ -96,17 +96,18 @@ Plan make_plan(const Case& the_case, MembraneShapes shapes, double held_bytes, T
     check_placement(the_case, placement);
     remarks = remarks_on_mesh_files(the_case);
   }
-  const bool as_sample = is_shared && (!are_held || is_large(the_case, plan.sizes, held_bytes));
-  if (!as_sample) require_memory_for(the_case, plan.sizes, held_bytes);
-  last_step_of(the_case, plan.parameters);  // which there may not be
   // A program of the user's is not tried: a run starts it once.
-  const auto probe = has_program(the_case) ? Probe()
-                     : as_sample           ? try_sample(the_case, plan.parameters, plan.sizes, made)
-                                           : try_case(the_case, plan.parameters, plan.shapes);
+  const bool is_tried = trial != Trial::none && !has_program(the_case);
+  const bool as_sample = is_shared && (!are_held || is_large(the_case, plan.sizes, held_bytes));
+  if (!as_sample && trial != Trial::none) require_memory_for(the_case, plan.sizes, held_bytes);
+  last_step_of(the_case, plan.parameters);  // which there may not be
+  const auto probe = !is_tried   ? Probe()
+                     : as_sample ? try_sample(the_case, plan.parameters, plan.sizes, made)
+                                 : try_case(the_case, plan.parameters, plan.shapes);
   plan.cost = predict_cost(the_case, plan.parameters, plan.sizes, probe);
   auto warning_lines = warnings(the_case, plan.parameters, seen.mean_edges, placement);
   warning_lines.insert(warning_lines.begin(), remarks.begin(), remarks.end());
-  if (as_sample && !has_program(the_case)) {
+  if (as_sample && is_tried) {
     warning_lines.push_back(
         "the case is large: its speed is concluded from a sample, a smaller box with one capsule");
   }

@@ -26,10 +26,11 @@ enum class Trial {
   whole,   ///< all of it; a box that memory does not hold here is refused
   sample,  ///< a sample (sample.hpp) of a box that memory does not hold, or of over 16 million nodes: for
            ///< many ranks, each of which has a part
+  none,    ///< nothing: no speed, no times, and no box is refused for this machine's memory
 };
 
 /// Works a case out. Its speed on this machine is measured by a probe: the case itself, for about a second,
-/// or a tenth of the run if that is less, and a file of each kind (try_case()).
+/// or a tenth of the run if that is less, and a file of each kind (try_case()); unless trial is `none`.
 /// @param shapes of the capsules if they are known (a resumed run), else they are made.
 /// On several ranks, and for a sample, shapes of more than output.whole_file_triangles triangles together are
 /// made one after the other and not held: their owners make them again.
