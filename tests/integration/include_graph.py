@@ -19,7 +19,7 @@ COMPONENTS = ("fluid", "membrane", "coupler", "exchange", "ranks", "driver")
 KNOWS = {"fluid": (), "membrane": (), "coupler": (), "exchange": (), "ranks": (), "driver": COMPONENTS}
 
 # The rooms of driver/ from the ground up, each with the rooms it may know besides itself: only such as stand above it in
-# this list. What lies in driver/ itself (main.cpp, command_line.cpp) may know all.
+# this list. What lies in driver/ itself (main.cpp, program_main.cpp, command_line.cpp) may know all.
 ROOMS = {
     "program": (),  # what all subcommands share: their list, errors, version, signals, output directory
     "case": ("program",),  # what a user says

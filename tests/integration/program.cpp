@@ -12,6 +12,10 @@
 #include <stdexcept>
 #include <thread>
 
+#ifdef TANKTREAD_FORKED
+#include "tests/integration/forked_program.hpp"
+#endif
+
 namespace tanktread::testing {
 namespace {
 
@@ -31,18 +35,26 @@ pid_t start_program(const std::vector<std::string>& arguments, const std::filesy
   return child;
 }
 
+Ended ended(int status, const std::filesystem::path& log) {
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return {code, read_file(log)};
+}
+
 Ended wait_for(pid_t child, const std::filesystem::path& log) {
   int status = 0;
   waitpid(child, &status, 0);
-  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return {code, read_file(log)};
+  return ended(status, log);
 }
 
 }  // namespace
 
 Ended run_program(const std::vector<std::string>& arguments) {
   const TemporaryDirectory directory;
+#ifdef TANKTREAD_FORKED
+  return ended(run_forked(arguments, directory / "log"), directory / "log");
+#else
   return wait_for(start_program(arguments, directory / "log"), directory / "log");
+#endif
 }
 
 Ended run_and_signal(const std::vector<std::string>& arguments, int signal,
