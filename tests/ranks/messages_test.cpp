@@ -46,6 +46,25 @@ TEST(RanksWorld, brings_messages_from_rank_to_rank) {
   }
 }
 
+TEST(RanksWorld, brings_a_message_that_goes_in_two_portions) {
+  const auto& world = *all_ranks;
+  if (world.size() != 2) GTEST_SKIP() << "is of two ranks: a rank with it has 256 MB";
+  constexpr std::size_t n = (std::size_t{1} << 28) + 5;  // a portion of World::send() has 2^28
+  if (!world.is_first()) {
+    std::vector<std::byte> bytes(n);
+    for (std::size_t k = 0; k < n; k += 1013) bytes[k] = std::byte(k % 251);
+    bytes.back() = std::byte(77);
+    world.send(0, bytes);
+    return;
+  }
+  const auto bytes = world.receive(1);
+  ASSERT_EQ(bytes.size(), n);
+  std::size_t n_wrong = 0;
+  for (std::size_t k = 0; k < n; k += 1013) n_wrong += bytes[k] != std::byte(k % 251);
+  EXPECT_EQ(n_wrong, 0);
+  EXPECT_EQ(bytes.back(), std::byte(77));
+}
+
 /// What a rank writes to another in a round; longer from one rank to the next.
 Message letter(int from, int to, int round) {
   Packing packing;
