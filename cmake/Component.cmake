@@ -59,7 +59,7 @@ endfunction()
 # that is long; such programs start first.
 function(tanktread_test name)
   cmake_parse_arguments(arg "" "SECONDS" "SOURCES;LIBRARIES" ${ARGN})
-  tanktread_unite(sources ${name} 10 ${arg_SOURCES})
+  tanktread_unite(sources ${name} 25 ${arg_SOURCES})
   add_executable(${name} ${sources})
   tanktread_test_compile_options(${name})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})

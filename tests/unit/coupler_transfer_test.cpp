@@ -11,7 +11,7 @@ namespace {
 
 using namespace test;
 
-const Grid box = {{24, 20, 22}, {true, true, true}};
+const Grid periodic_box = {{24, 20, 22}, {true, true, true}};
 constexpr std::size_t n_box_nodes = 24 * 20 * 22;
 
 /// Two surfaces, the second across three periodic faces.
@@ -38,12 +38,12 @@ class PlainDelta {
  public:
   PlainDelta(const Kernel& kernel, const double* position) {
     for (int axis = 0; axis < 3; ++axis)
-      for (int index = 0; index < box.nodes[axis]; ++index)
+      for (int index = 0; index < periodic_box.nodes[axis]; ++index)
         factor_[axis].push_back(
-            kernel.function(std::remainder(position[axis] - (index + 0.5), box.nodes[axis])));
+            kernel.function(std::remainder(position[axis] - (index + 0.5), periodic_box.nodes[axis])));
   }
   double operator()(std::int64_t node) const {
-    const auto [i, j, k] = indices_of(box, node);
+    const auto [i, j, k] = indices_of(periodic_box, node);
     return factor_[0][i] * factor_[1][j] * factor_[2][k];
   }
 
@@ -64,7 +64,7 @@ class CouplerTransfer : public ::testing::TestWithParam<Kernel> {
  protected:
   void SetUp() override { build(coupler_, two_surfaces); }
 
-  Coupler coupler_{box, GetParam()};
+  Coupler coupler_{periodic_box, GetParam()};
   const std::vector<Numbers> force_ = {random_numbers(900, -1, 1, 3), random_numbers(600, -1, 1, 4)};
 };
 
@@ -91,7 +91,7 @@ TEST_P(CouplerTransfer, InterpolatesAsThePlainSumOverAllGridNodes) {
 }
 
 TEST_P(CouplerTransfer, SpreadsAsThePlainSumOverAllMembraneNodes) {
-  const Numbers grid_force = unpicked(coupler_, box, spread(coupler_, force_));
+  const Numbers grid_force = unpicked(coupler_, periodic_box, spread(coupler_, force_));
   const Numbers force = joined(force_);
   const auto deltas = plain_deltas(GetParam());
   for (std::size_t node = 0; node < n_box_nodes; ++node) {
@@ -149,7 +149,7 @@ TEST_P(CouplerTransfer, LinearFieldsAreExactJustWithTheFirstMoment) {
   const auto linear = [](const Vector& x) {
     return Vector{1.0 + 0.5 * x[0] - 0.25 * x[1] + 0.125 * x[2], x[1] - x[2], 2.0 - x[0]};
   };
-  const Numbers velocity = interpolate(coupler_, on_grid_nodes(coupler_, box, linear), {300});
+  const Numbers velocity = interpolate(coupler_, on_grid_nodes(coupler_, periodic_box, linear), {300});
   double largest = 0.0;
   for (std::size_t m = 0; m < 300; ++m) {
     const Vector exact = linear({surface[3 * m], surface[3 * m + 1], surface[3 * m + 2]});
@@ -180,7 +180,7 @@ TEST_P(CouplerTransfer, TorqueIsConservedJustWithTheFirstMoment) {
     }
   };
   for (std::size_t k = 0; k < coupler_.grid_nodes().size(); ++k)
-    add_torque(position_of(box, coupler_.grid_nodes()[k]).data(), &grid_force[3 * k], 1.0);
+    add_torque(position_of(periodic_box, coupler_.grid_nodes()[k]).data(), &grid_force[3 * k], 1.0);
   for (std::size_t m = 0; m < 300; ++m) add_torque(&surface[3 * m], &force[3 * m], -1.0);
   const double largest =
       std::max({std::abs(difference[0]), std::abs(difference[1]), std::abs(difference[2])});
@@ -198,16 +198,16 @@ TEST_P(CouplerTransfer, ASurfaceAcrossAPeriodicFaceIsAsInTheMiddle) {
   const Numbers surface = sphere(250, 5.0, {12.0, 10.0, 11.0});
   const Numbers force = random_numbers(750, -1, 1, 9);
   const Numbers field = random_numbers(3 * n_box_nodes, -1, 1, 10);
-  Coupler across(box, GetParam());
+  Coupler across(periodic_box, GetParam());
   build(coupler_, {surface});
   const Numbers velocity = interpolate(coupler_, picked(coupler_, field), {250});
-  const Numbers grid_force = unpicked(coupler_, box, spread(coupler_, {force}));
+  const Numbers grid_force = unpicked(coupler_, periodic_box, spread(coupler_, {force}));
   for (int axis = 0; axis < 3; ++axis) {
-    const int shift = box.nodes[axis] / 2;  // the centre comes to lie on the face
+    const int shift = periodic_box.nodes[axis] / 2;  // the centre comes to lie on the face
     const auto shifted_node = [&](std::int64_t node) {
-      auto index = indices_of(box, node);
-      index[axis] = (index[axis] + shift) % box.nodes[axis];
-      return (std::int64_t{index[2]} * box.nodes[1] + index[1]) * box.nodes[0] + index[0];
+      auto index = indices_of(periodic_box, node);
+      index[axis] = (index[axis] + shift) % periodic_box.nodes[axis];
+      return (std::int64_t{index[2]} * periodic_box.nodes[1] + index[1]) * periodic_box.nodes[0] + index[0];
     };
     Numbers shifted_field(field.size());
     for (std::size_t node = 0; node < n_box_nodes; ++node)
@@ -218,7 +218,7 @@ TEST_P(CouplerTransfer, ASurfaceAcrossAPeriodicFaceIsAsInTheMiddle) {
     const Numbers shifted_velocity = interpolate(across, picked(across, shifted_field), {250});
     for (std::size_t k = 0; k < velocity.size(); ++k)
       ASSERT_NEAR(shifted_velocity[k], velocity[k], 216 * eps) << axis;
-    const Numbers shifted_force = unpicked(across, box, spread(across, {force}));
+    const Numbers shifted_force = unpicked(across, periodic_box, spread(across, {force}));
     for (std::size_t node = 0; node < n_box_nodes; ++node)
       for (int component = 0; component < 3; ++component)
         ASSERT_NEAR(shifted_force[3 * shifted_node(node) + component], grid_force[3 * node + component],
