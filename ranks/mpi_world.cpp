@@ -14,7 +14,7 @@ constexpr int tag = 0;
 /// MPI counts with int: calls body(begin, n) for portions of what is larger.
 template <class Body>
 void for_each_portion(std::size_t size, const Body& body) {
-  constexpr std::size_t most = std::size_t{1} << 28;
+  constexpr std::size_t most = World::most_bytes_at_once;
   for (std::size_t begin = 0; begin < size; begin += most)
     body(begin, static_cast<int>(std::min(most, size - begin)));
 }

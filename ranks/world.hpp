@@ -44,6 +44,9 @@ class World {
   /// The highest of all ranks' numbers, on each of them; no number may be NaN. Together.
   double highest(double number) const;
 
+  /// What send() gives to MPI at once, which counts in int.
+  static constexpr std::size_t most_bytes_at_once = std::size_t{1} << 28;
+
   /// Sends bytes to another rank, which receive()s them; the messages between two ranks come in the order in
   /// which they were sent. May return before they have come.
   void send(int rank, std::span<const std::byte> bytes) const;

@@ -1,7 +1,7 @@
 # Tests of driver; included by tests/CMakeLists.txt when the component is built.
 find_package(tomlplusplus REQUIRED)
 
-# tanktread_calls_program(NAME): a test that calls the program. FORKED: by a fork of itself (forked_program.cpp, its main()); such
+# tanktread_calls_program(NAME [FORKED]): a test that calls the program. FORKED: by a fork of itself (forked_program.cpp, its main()); such
 # tests link the driver. The others start the executable, as a user does.
 function(tanktread_calls_program name)
   target_compile_definitions(${name} PRIVATE TANKTREAD_PROGRAM="$<TARGET_FILE:tanktread>")

@@ -22,7 +22,7 @@ def read(history, start, end):
         return dict.fromkeys((name for name, *_ in QUANTITIES), math.nan)
     means = {name: history.mean(name, start, end) for name in ("deformation", "inclination_deg", "circumference", "membrane_speed")}
     times = history["shear_time"]
-    until = times <= end + 1e-6
+    until = history.from_to(0, end)
     path = (history[name][until] for name in ("marker_along_flow", "marker_along_gradient"))
     return means | {
         "nu_travel": means["membrane_speed"] / means["circumference"],

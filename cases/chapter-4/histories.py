@@ -35,8 +35,12 @@ class History:
 
     def mean(self, name, start, end):
         """The mean of the kept values from one shear time to another; NaN where there are none."""
-        within = (self["shear_time"] >= start) & (self["shear_time"] <= end)
+        within = self.from_to(start, end)
         return float(self[name][within].mean()) if within.any() else math.nan
+
+    def from_to(self, start, end):
+        """Which kept values stand for the shear times from one to another: those of whole steps next to every multiple of EVERY."""
+        return numpy.abs(self["shear_time"] - (start + end) / 2) <= (end - start + EVERY) / 2
 
 
 def _kept_rows(times):

@@ -78,7 +78,7 @@ Plan make_plan(const Case& the_case, MembraneShapes shapes, double held_bytes, T
   plan.the_case = the_case;
   plan.parameters = parameters(the_case);
   plan.shapes = std::move(shapes);
-  const bool is_shared = other_ranks() != nullptr || trial == Trial::sample;
+  const bool is_shared = other_ranks() != nullptr || trial != Trial::whole;
   const bool are_known = !plan.shapes.meshes.empty();
   ShapesSeen seen;
   if (are_known) {

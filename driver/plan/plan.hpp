@@ -32,8 +32,8 @@ enum class Trial {
 /// Works a case out. Its speed on this machine is measured by a probe: the case itself, for about a second,
 /// or a tenth of the run if that is less, and a file of each kind (try_case()); unless trial is `none`.
 /// @param shapes of the capsules if they are known (a resumed run), else they are made.
-/// On several ranks, and for a sample, shapes of more than output.whole_file_triangles triangles together are
-/// made one after the other and not held: their owners make them again.
+/// On several ranks, and unless all is tried, shapes of more than output.whole_file_triangles triangles
+/// together are made one after the other and not held: their owners make them again.
 /// @param held_bytes memory that the caller has now and gives back before the run (a state to resume from)
 /// @throws InputError, also for a box that memory cannot hold, before it is tried
 Plan make_plan(const Case& the_case, MembraneShapes shapes = {}, double held_bytes = 0,

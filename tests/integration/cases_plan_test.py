@@ -1,4 +1,4 @@
-"""Every case of cases/ is one that the program accepts. Usage: cases_plan_test.py TANKTREAD [unittest arguments]."""
+"""Every case of cases/ is one that the program accepts and tries; of cases of many runs every value of every key, without a trial. Usage: cases_plan_test.py TANKTREAD [unittest arguments]."""
 
 import subprocess
 import sys

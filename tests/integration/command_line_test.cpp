@@ -162,6 +162,27 @@ TEST(CommandLine, APlanSaysWhatManyRanksWouldBe) {
   }
 }
 
+// For a box of 8e9 nodes, a terabyte and more, which the plan with a trial refuses here.
+TEST(CommandLine, APlanWithoutATrialSaysTheCostOfAnyBox) {
+  const TemporaryDirectory directory;
+  const auto the_case = (directory / "case.toml").string();
+  std::ofstream(the_case)
+      << "[flow]\nbox = [2000, 2000, 2000]\nwall_speed = 0.01\n[[capsule]]\nradius = 7.0\n"
+         "position = [22.0, 22.0, 22.0]\n[membrane]\ncapillary_number = 0.3\n";
+  const std::vector<std::string> plan = {"plan", the_case};
+  const auto tried = run_program(plan);
+  EXPECT_EQ(tried.exit_code, 2);
+  EXPECT_THAT(tried.output, HasSubstr("flow.box = [2000, 2000, 2000]"));
+  const auto untried = run_program({"plan", the_case, "--no-trial"});
+  EXPECT_EQ(untried.exit_code, 0) << untried.output;
+  EXPECT_THAT(untried.output,
+              AllOf(HasSubstr("not measured"), HasSubstr("not tried"), HasSubstr("2000 x 2000 x 2000"),
+                    HasSubstr(" TB            at its peak"), Not(HasSubstr("MLUPS"))));
+  const auto both = run_program({"plan", the_case, "--no-trial", "--ranks", "8"});
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_THAT(both.output, AllOf(HasSubstr("--no-trial"), HasSubstr("--ranks")));
+}
+
 TEST(CommandLine, AMessagesCommandLineIsQuotedForTheShell) {
   const TemporaryDirectory directory;
   std::ofstream(directory / "case.toml") << quick_case;

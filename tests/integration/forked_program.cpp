@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include <array>
-#include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 #include <vector>
 
@@ -35,15 +35,12 @@ std::vector<char*> words_of(std::vector<char>& message) {
 /// The program, in a process of its own. @param words the log, and the arguments
 [[noreturn]] void become_program(std::vector<char*> words) {
   const int log = open(words.front(), O_CREAT | O_WRONLY | O_TRUNC, 0644);
-  dup2(log, STDOUT_FILENO);
-  dup2(log, STDERR_FILENO);
+  if (dup2(log, STDOUT_FILENO) < 0 || dup2(log, STDERR_FILENO) < 0) _exit(127);
   static char name[] = "tanktread";
   words.front() = name;
   const int n = static_cast<int>(words.size());
   words.push_back(nullptr);
-  const int exit_code = driver::program_main(n, words.data());
-  std::fflush(nullptr);
-  _exit(exit_code);
+  std::exit(driver::program_main(n, words.data()));
 }
 
 /// Answers each message with the status of the program's end, until the test program is gone.
@@ -60,7 +57,7 @@ std::vector<char*> words_of(std::vector<char>& message) {
       become_program(words_of(message));
     }
     int status = 0;
-    waitpid(child, &status, 0);
+    if (child < 0 || waitpid(child, &status, 0) != child) _exit(1);  // which the test program then says
     if (send(line, &status, sizeof status, MSG_NOSIGNAL) < 0) _exit(0);
   }
 }

@@ -1,4 +1,4 @@
-// Runs the program as a user does, and looks at what it leaves behind.
+// Runs the program, and looks at what it leaves behind.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,8 @@ struct Ended {
   std::string output;  ///< stdout and stderr together
 };
 
-/// Runs the executable with these arguments and waits for its end.
+/// Runs the program with these arguments and waits for its end: the executable, as a user does, or with
+/// TANKTREAD_FORKED a fork of the test program (forked_program.hpp).
 Ended run_program(const std::vector<std::string>& arguments);
 
 /// Starts it, waits until `ready()` (at most a minute), sends the signal, waits for its end.

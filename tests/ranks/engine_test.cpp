@@ -6,7 +6,8 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <memory>
+#include <string>
+#include <utility>
 
 #include "driver/case/case.hpp"
 #include "driver/engine/followers.hpp"
@@ -43,6 +44,18 @@ capillary_number = 0.3
 shear_time = 0.01
 )";
 
+/// Undoes something whatever is thrown; else the other ranks would wait.
+class Finally {
+ public:
+  explicit Finally(std::function<void()> undo) : undo_(std::move(undo)) {}
+  ~Finally() { undo_(); }
+  Finally(const Finally&) = delete;
+  Finally& operator=(const Finally&) = delete;
+
+ private:
+  std::function<void()> undo_;
+};
+
 /// The case, and its state before the first step, on the first rank.
 class Spoilt {
  public:
@@ -67,14 +80,10 @@ class Spoilt {
     return message_of(use, engine);
   }
   std::string said_by_many(const std::function<void(Engine&)>& use) const {
+    const Finally alone([] { set_ranks(nullptr); });
     set_ranks(all_ranks);
-    std::string said;
-    {
-      ManyRanks engine(the_case, parameters);
-      said = message_of(use, engine);
-    }
-    set_ranks(nullptr);
-    return said;
+    ManyRanks engine(the_case, parameters);
+    return message_of(use, engine);
   }
 
   Case the_case;
@@ -100,11 +109,9 @@ class Spoilt {
 void on_all_ranks(const std::string& viscosity_ratio, const std::function<void(Spoilt&)>& test) {
   if (all_ranks->size() == 1) GTEST_SKIP() << "is of several ranks";
   if (!all_ranks->is_first()) return follow(*all_ranks);
-  {
-    Spoilt spoilt(viscosity_ratio);
-    test(spoilt);
-  }
-  end_followers(*all_ranks);
+  const Finally over([] { end_followers(*all_ranks); });
+  Spoilt spoilt(viscosity_ratio);
+  test(spoilt);
 }
 
 TEST(Engine, of_many_ranks_says_of_capsules_that_overlap_what_one_process_says) {
