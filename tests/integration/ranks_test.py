@@ -22,7 +22,7 @@ ENVIRONMENT = os.environ | {
     "OMPI_MCA_rmaps_base_oversubscribe": "1",
     "OMPI_MCA_hwloc_base_binding_policy": "none",
     "OMPI_MCA_mpi_yield_when_idle": "1",
-    "OMPI_MCA_odls_base_sigkill_timeout": "0",  # else mpirun waits two seconds after each error
+    "OMPI_MCA_odls_base_sigkill_timeout": "0",  # else mpirun waits a second or two after each error
 }
 
 CASE = """
