@@ -146,9 +146,9 @@ def _convert_series(arguments):
     return _said(convert_series.convert(arguments.output, arguments.target, arguments.csv, arguments.force))
 
 
-def main():
-    """Runs the command of the command line; the exit code."""
-    arguments = build_parser().parse_args()
+def main(words=None):
+    """Runs the command of the command line, or of these words; the exit code."""
+    arguments = build_parser().parse_args(words)
     return exit_codes.ended("tanktread_post", lambda: arguments.call(arguments))
 
 

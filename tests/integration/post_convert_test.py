@@ -1,5 +1,7 @@
 """Surfaces to and from the formats of other programs. Usage: post_convert_test.py TANKTREAD [unittest arguments]."""
 
+import contextlib
+import io
 import os
 import subprocess
 import sys
@@ -11,6 +13,7 @@ from post_fixture import ROOT, InFolder, octahedron
 from surface_shapes import CUBE_OF_QUADS, obj_text, projective_plane, soup, torus
 
 from tanktread_post import convert_surface, surface_files
+from tanktread_post.__main__ import main
 from tanktread_post.surface import Edges
 
 # Format, options for writing it, whether it keeps doubles.
@@ -27,9 +30,14 @@ class Surfaces(InFolder):
         return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True)
 
     def command(self, *arguments):
-        environment = os.environ | {"PYTHONPATH": str(ROOT / "post")}
-        command = [sys.executable, "-m", "tanktread_post", "convert-surface", *arguments]
-        return subprocess.run(command, capture_output=True, text=True, env=environment, cwd=self.folder)
+        """What a user's command would do, in this process: to start one with meshio takes longer than most conversions."""
+        output, errors = io.StringIO(), io.StringIO()
+        with contextlib.chdir(self.folder), contextlib.redirect_stdout(output), contextlib.redirect_stderr(errors):
+            try:
+                code = main(["convert-surface", *map(str, arguments)])
+            except SystemExit as ended:  # of argparse
+                code = ended.code
+        return subprocess.CompletedProcess(arguments, code, output.getvalue(), errors.getvalue())
 
     def write(self, points, triangles, name="in.obj"):
         """A file of these triangles as they are, whatever is wrong with them."""
