@@ -28,7 +28,7 @@ constexpr int exit_run_failed = 3;
 
 constexpr auto no_memory =
     "the memory is not enough for this: something as large as the grid could not be stored; make flow.box "
-    "(or the surface) smaller, or end other programs. tanktread plan says what a case needs";
+    "(or the surface) smaller, or end other programs. tanktread plan --no-trial says what a case needs";
 
 int fail(int code, const char* message) {
   fmt::print(stderr, "tanktread: error: {}\n", message);

@@ -14,7 +14,7 @@
 # | exit code 2: 2, a second later than exit code 0 or more
 # | exit code 2, odls_base_sigkill_timeout=0: 2
 #
-# What we do: tests/integration/ranks_test.py sets the parameter.
+# What we do: tests/integration/ranks_fixture.py sets the parameter.
 source "$(dirname "$0")/packages.bash"
 for package in openmpi-bin libopenmpi-dev; do
   dpkg-query -W -f='${Version}' "$package" 2>/dev/null | grep -qxF 4.1.4-3+b1 || cannot_check "$package 4.1.4-3+b1 is not installed"

@@ -35,7 +35,9 @@ if(TARGET tanktread_driver AND NOT TANKTREAD_MISSING_COMPONENTS)
   tanktread_rank_test(ranks_pieces RANKS 1 2 4 6 SOURCES ranks/pieces_test.cpp LIBRARIES tanktread_driver)
 endif()
 if(TANKTREAD_MPI AND TARGET tanktread AND NOT TANKTREAD_MISSING_COMPONENTS)
-  add_test(NAME python.ranks COMMAND ${TANKTREAD_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/integration/ranks_test.py
-    $<TARGET_FILE:tanktread> ${MPIEXEC_EXECUTABLE})
-  set_tests_properties(python.ranks PROPERTIES TIMEOUT 600 COST 60 ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1")
+  foreach(name ranks ranks_ended)
+    add_test(NAME python.${name} COMMAND ${TANKTREAD_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/integration/${name}_test.py
+      $<TARGET_FILE:tanktread> ${MPIEXEC_EXECUTABLE})
+    set_tests_properties(python.${name} PROPERTIES TIMEOUT 600 COST 60 ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1")
+  endforeach()
 endif()

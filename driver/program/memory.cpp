@@ -79,8 +79,7 @@ void require_memory(double bytes, const std::string& what, double available) {
   if (bytes <= available) return;
   throw InputError(
       fmt::format("{}: needs about {} of memory, of which {} are available here; make it smaller, end other "
-                  "programs, or use a "
-                  "machine with more",
+                  "programs, or use a machine with more (tanktread plan --no-trial says what a case needs)",
                   what, bytes_text(bytes), bytes_text(available)));
 }
 

@@ -178,6 +178,14 @@ class Chapter4(OfChapter4):
         self.assertEqual([r.run for r in chapter_4.gathered.gather(self.output, self.case).readings], ["l1-bqs0"])
         self.assertIn("l1-bqs0-120,15,", chapter_4.measured(self.output, self.case)["histories.csv"])
 
+    def test_a_mean_has_the_steps_next_to_its_ends(self):
+        """Kept are whole steps, some of them a little later than the time that they stand for; the last of a run among them."""
+        times = numpy.array([9.749, 9.998, 10.251, 10.502])
+        history = chapter_4.gathered.histories.History("made", {"shear_time": times, "deformation": numpy.array([1.0, 2.0, 4.0, 9.0])})
+        self.assertEqual(history.mean("deformation", 10, 10.5), 5)
+        self.assertEqual(history.mean("deformation", 10, 10.25), 3)
+        self.assertTrue(numpy.isnan(history.mean("deformation", 20, 21)))
+
     def test_says_that_nothing_is_there(self):
         self.assert_refused("no finished run", case_results.judge, self.output, self.case)
 

@@ -172,7 +172,7 @@ TEST(CommandLine, APlanWithoutATrialSaysTheCostOfAnyBox) {
   const std::vector<std::string> plan = {"plan", the_case};
   const auto tried = run_program(plan);
   EXPECT_EQ(tried.exit_code, 2);
-  EXPECT_THAT(tried.output, HasSubstr("flow.box = [2000, 2000, 2000]"));
+  EXPECT_THAT(tried.output, AllOf(HasSubstr("flow.box = [2000, 2000, 2000]"), HasSubstr("plan --no-trial")));
   const auto untried = run_program({"plan", the_case, "--no-trial"});
   EXPECT_EQ(untried.exit_code, 0) << untried.output;
   EXPECT_THAT(untried.output,

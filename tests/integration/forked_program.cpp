@@ -1,5 +1,5 @@
 // main() of tests that call the program often: a process that has never computed waits from the start of the
-// test program, and becomes the program when it is asked for. To fork takes a tenth of the time of an exec()
+// test program, and becomes the program when it is asked for. That is quicker than an exec()
 // with the libraries of VTK.
 #include "tests/integration/forked_program.hpp"
 
