@@ -6,7 +6,7 @@ import sys
 import unittest
 
 from post_fixture import InFolder
-from ranks_test import CASE, ENVIRONMENT
+from ranks_fixture import CASE, ENVIRONMENT
 
 
 class WithoutMpi(InFolder):
